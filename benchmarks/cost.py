@@ -1,4 +1,4 @@
-"""What one array costs in money and hours: kits of several designs, as ``acoustic-fem parts`` writes them.
+"""What one array costs in money and hours: kits of several designs, as ``acoustic-fem parts`` counts them.
 
 ``python -m benchmarks.cost --write`` writes the table of docs/cost.md, in some minutes of one core. Prices are those of
 the catalogue, most of them assumed; spares and minutes are assumed.
@@ -11,8 +11,13 @@ import tempfile
 from pathlib import Path
 
 import geometry
-import studies
+from geometry.assembly.model import array_model
+from geometry.formats.part_files import tessellate_distinct
 from geometry.ground.whole_files import replace_section
+from geometry.printing.plates import export_plates
+from geometry.schema.print_processes import process_of
+from studies.kit.kit_files import order_of
+from studies.kit.ordering import printed_spares
 
 DOCS = Path(__file__).parents[1] / "docs"
 BEGIN, END = "<!-- costs: made by benchmarks/cost.py -->", "<!-- end of the costs -->"
@@ -27,8 +32,11 @@ def row(name: str) -> str:
     """Row of one design."""
     example = DOCS / "examples" / f"{name}.toml"
     design = geometry.load_design(example) if example.exists() else geometry.prototype(name)
+    process, model = process_of(design.printing), array_model(design)
+    shapes = tessellate_distinct(model.parts)
     with tempfile.TemporaryDirectory() as folder:
-        order = studies.export_parts(design, folder, formats=("stl",), allow_overlaps=True).order
+        plates = export_plates(model.parts, folder, process, shapes, printed_spares(model.parts))
+    order = order_of(model, len(plates.plates), process)
     split = [order.cost(purpose) for purpose in ("array", "molds", "consumable", "tool")]
     money = " | ".join(
         f"{each:.1f}" if each < 10 else f"{each:.0f}" for each in (order.bill.cost, *split, order.cost_of_packs)

@@ -36,7 +36,7 @@ from localize.contacts import ContactRecorder, pulse_times, pulse_wave
 from localize.evaluation import PRESSES, TAPS, TouchedSensors, decide
 from localize.signals import ArrayResponse, response_of
 from studies.kit.kit_files import order_of
-from studies.kit.ordering import OrderLine, OrderList
+from studies.kit.ordering import OrderLine, OrderList, printed_spares
 from studies.output.report_texts import percent
 from studies.run import design_quality, draw_quality
 from studies.run.quality import predicted_accuracy
@@ -194,7 +194,8 @@ def make(design: geometry.ArrayDesign, folder: Path) -> Made:
     """Draw the parts of a design, arrange them on plates in a folder, and list what its kit lists."""
     process = process_of(design.printing)
     model = array_model(design)
-    plates = export_plates(model.parts, folder, process, tessellate_distinct(model.parts))
+    shapes = tessellate_distinct(model.parts)
+    plates = export_plates(model.parts, folder, process, shapes, printed_spares(model.parts))
     return Made(model, process, order_of(model, len(plates.plates), process), plates)
 
 

@@ -183,7 +183,12 @@ class Bill:
             aligned = [f"{cell:>{width}}" for cell, width in zip(numbers, widths[1:4], strict=True)]
             lines.append("  ".join([f"{name:<{widths[0]}}", *aligned, f"{bought:<{widths[4]}}", note]).rstrip())
         total = f"array {self.cost:.2f} {self.currency}, molds {self.tooling_cost:.2f} {self.currency}"
-        return "\n".join([f"Bill of materials of one {self.design}", "", *lines, "", f"{total}; {self.priced}"])
+        waste = self.waste
+        lost = (
+            f"Quantities include what is lost: resin x {waste.resin_factor:g}, silicone x {waste.silicone_factor:g}, "
+            f"{waste.cutting_loss:g} mm a cut."
+        )
+        return "\n".join([f"Bill of materials of one {self.design}", "", *lines, "", lost, f"{total}; {self.priced}"])
 
 
 def bill_of_materials(

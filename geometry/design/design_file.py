@@ -90,7 +90,7 @@ def read_completed(text: str, source: str) -> ArrayDesign:
 def write_design(design: ArrayDesign) -> str:
     """Text of a design file: every field with its value, its unit in a comment; what follows others is not stated."""
     document = tomlkit.document()
-    document.add(tomlkit.comment("Lengths in mm; fields and their ranges: docs/design-file.md"))
+    document.add(tomlkit.comment("Lengths in mm; fields and their ranges: acoustic-fem check --fields"))
     notes = {field.name: field.unit for field in fields_of(ArrayDesign)}
     for key, item in _items(design, "", notes):
         if key not in design.followers:

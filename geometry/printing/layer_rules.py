@@ -52,7 +52,7 @@ def judge_layers(
     findings = [*_hanging(name, slices, process), _thin(name, slices, process)]
     if process.bleed > 0 and (open_ones := open_bores(slices, bores, process.bleed, process.tolerance)):
         worst = open_ones[0]
-        found = by_rule(name, "bore after overcure", worst.left, "", OPEN_BORE, worst.bore.place)
+        found = by_rule(name, "bore after overcure", worst.left, "of its area", OPEN_BORE, worst.bore.place)
         bore = f"bore of {worst.bore.diameter:.3g} mm that lies in layers of {process.layer:g} mm"
         light = f"light hardens {process.bleed:g} mm below and {process.tolerance:g} mm beside them"
         findings.append(with_note(found, f"{bore}, {light}"))

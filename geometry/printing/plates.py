@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, get_args
 
@@ -47,6 +48,8 @@ class Plates:
     """Every plate, in order."""
     too_large: tuple[str, ...]
     """Names of parts that lie on no plate, since they are wider than it."""
+    spares: Mapping[str, int] = field(default_factory=dict)
+    """How many spare copies of each part lie on the plates, by name."""
 
 
 def export_plates(
@@ -54,6 +57,7 @@ def export_plates(
     folder: str | os.PathLike[str],
     process: PrintProcess,
     shapes: Sequence[SharedShape] | None = None,
+    spares: Mapping[str, int] | None = None,
 ) -> Plates:
     """Write ``folder/plate-1.3mf``, ...: every printed part as often as it is needed, in rows, none over another.
 
@@ -66,13 +70,14 @@ def export_plates(
         folder: exists.
         process: its build volume is the size of a plate.
         shapes: of :func:`geometry.formats.part_files.tessellate_distinct`, where they exist already.
+        spares: spare copies of parts, by name; those are laid beside the others that take no further plate.
 
     Raises:
         Refusal: nothing is printed, or nothing fits.
     """
     known = part_set(parts)
-    molds: list[tuple[SharedShape, Pose]] = []
-    others: list[tuple[SharedShape, Pose]] = []
+    molds: Copies = []
+    others: Copies = []
     too_large: list[str] = []
     for shape in tessellate_distinct(parts) if shapes is None else shapes:
         if known.origin(shape.names[0]) != "printed":
@@ -83,6 +88,8 @@ def export_plates(
             continue
         copies = molds if known.kinds.get(shape.names[0]) in get_args(MoldKind) else others
         copies += [(shape, pose)] * sum(known.counts.get(name, 1) for name in shape.names)
+    spare_copies = _with_spares(others, spares or {}, process)
+    others += spare_copies
     if not molds and not others:
         problem = f"none of {', '.join(parts) or 'none'} can be laid on the plate of {process.name}"
         raise Refusal(problem, kind=Kind.UNSUITABLE)
@@ -107,33 +114,63 @@ def export_plates(
                 problem = f"has the parts {', '.join(read)} instead of {', '.join(sorted(distinct))}"
                 raise Refusal(problem, kind=Kind.NO_RESULT, file=path)
         plates.append(Plate(path, {body.name: tuple(body.places) for body in bodies}))
-    return Plates(tuple(plates), tuple(too_large))
+    laid = Counter(shape.names[0] for shape, _ in spare_copies)
+    return Plates(tuple(plates), tuple(too_large), dict(laid))
 
 
 Placed = list[tuple[SharedShape, Array]]
+Copies = list[tuple[SharedShape, Pose]]
 
 
-def _packed(copies: list[tuple[SharedShape, Pose]], process: PrintProcess) -> list[Placed]:
-    """Rows of copies from the deepest on, a new plate where the next row does not fit; centred on each plate.
+def _with_spares(copies: Copies, spares: Mapping[str, int], process: PrintProcess) -> Copies:
+    """Spare copies that fit beside the others on as many plates, one by one, those of each part in turn."""
+    distinct = {shape.names[0]: (shape, pose) for shape, pose in copies}
+    left = {name: sum(spares.get(each, 0) for each in shape.names) for name, (shape, _) in distinct.items()}
+    most, added = _plates_taken(copies, process), Copies()
+    while any(left.values()):
+        for name in [name for name, number in left.items() if number]:
+            if _plates_taken([*copies, *added, distinct[name]], process) > most:
+                left[name] = 0
+            else:
+                added.append(distinct[name])
+                left[name] -= 1
+    return added
 
-    A margin of MARGIN stays free for a brim and supports, except beside a part that needs it.
+
+def _plates_taken(copies: Copies, process: PrintProcess) -> int:
+    return 1 + max((plate for *_, plate in _rows(copies, process)), default=-1)
+
+
+def _rows(copies: Copies, process: PrintProcess) -> Iterator[tuple[SharedShape, Pose, float, float, int]]:
+    """Copies in rows from the deepest on, each with its corner on its plate (mm) and the number of the plate.
+
+    A new plate begins where the next row does not fit. A margin of MARGIN stays free for a brim and supports, except
+    beside a part that needs it.
     """
     width, depth, _ = process.build_volume
-    plates: list[Placed] = [[]] if copies else []
     x = y = row = 0.0
+    plate = 0
     for shape, pose in sorted(copies, key=lambda copy: -copy[1].size[1]):
         size = pose.size
         if x > 0 and x + size[0] > width - 2 * MARGIN:
             x, y, row = 0.0, y + row + MARGIN, 0.0
         if y > 0 and y + size[1] > depth - 2 * MARGIN:
-            plates.append([])
+            plate += 1
             x = y = row = 0.0
+        yield shape, pose, x, y, plate
+        x += size[0] + MARGIN
+        row = max(row, size[1])
+
+
+def _packed(copies: Copies, process: PrintProcess) -> list[Placed]:
+    """Copies as they lie on each plate, in its middle."""
+    width, depth, _ = process.build_volume
+    plates: list[Placed] = [[] for _ in range(_plates_taken(copies, process))]
+    for shape, pose, x, y, plate in _rows(copies, process):
         matrix = np.eye(4)
         matrix[:3, :3] = pose.rotation
         matrix[:3, 3] = np.array([x, y, 0.0]) - (shape.facets.vertices @ pose.rotation.T).min(axis=0)
-        plates[-1].append((shape, matrix))
-        x += size[0] + MARGIN
-        row = max(row, size[1])
+        plates[plate].append((shape, matrix))
     for placed in plates:
         _centre(placed, (width, depth))
     return plates

@@ -31,6 +31,11 @@ _GLUE_DANGERS = {
 _OTHER_GLUE = "Read the safety data sheet of the glue before you open it. Wear nitrile gloves and safety glasses."
 #: Silicone mixed per silicone in the mold at least, a ratio, for what stays in the cup; assumed.
 _CUP = 1.2
+#: Smallest batch of two parts that a scale of 0.1 g divides well, g; assumed.
+SMALLEST_BATCH = 5.0
+#: Minutes until a joint may be tested, by a word of the glue's chemistry: assumed, and hours to its full strength.
+_SETTING = {"cyanoacrylate": (5.0, 24.0), "epoxy": (30.0, 24.0), "ultraviolet": (2.0, 24.0), "acetoxy": (60.0, 24.0)}
+_OTHER_SETTING = (60.0, 24.0)
 #: Dangers of what else is used.
 _RESIN = (
     "Liquid resin irritates skin and can cause an allergy for life. Wear nitrile gloves and safety glasses until the "
@@ -67,6 +72,10 @@ class Cast:
     """Silicone to mix for one cast, with what overflows and stays in the cup, ml."""
     grams: float
     """Mass of that, g."""
+    batch_grams: float
+    """Mass that is mixed for one cast, g: at least :data:`SMALLEST_BATCH`."""
+    batch: float
+    """Volume of that, ml."""
     shims: tuple[str, ...]
     """Names of the shims of the mold, and how much each raises the lid."""
     overflow: float
@@ -81,6 +90,11 @@ class Cast:
     """Ejector holes of a cavity; None where it is blind."""
     closed: bool
     """True for a mold with a lid."""
+
+    @property
+    def spare(self) -> int:
+        """Membranes that the casts make in addition to those of the array."""
+        return self.casts * self.cavities - self.needed
 
 
 @dataclass(frozen=True)
@@ -109,6 +123,7 @@ def _cast(model: ArrayModel, name: str, alike: ArrayDesign, needed: int, casts: 
     poured = volume * plan.mold.scale**3 * len(plan.centres)
     over = overflow(plan) / 1000
     mixed = max(poured * bill.waste.silicone_factor, (poured + over) * _CUP)
+    grams = mixed * density / 1000
     of_kind = name.removeprefix("membrane")
     shims = [
         f"mold-shim-{step}{of_kind} raises the lid by {step * plan.mold.shim_step:g} mm"
@@ -122,7 +137,9 @@ def _cast(model: ArrayModel, name: str, alike: ArrayDesign, needed: int, casts: 
         casts=casts,
         poured=poured,
         mixed=mixed,
-        grams=mixed * density / 1000,
+        grams=grams,
+        batch_grams=max(grams, SMALLEST_BATCH),
+        batch=1000 * max(grams, SMALLEST_BATCH) / density,
         shims=tuple(shims),
         overflow=over,
         wasted=1 - needed * volume / (casts * mixed),
@@ -137,6 +154,25 @@ def glue_of(bill: Bill, joint: str) -> Glue | None:
     """Glue of a kind of joint: ``tube``, ``membrane`` or ``board``; None if the bill has no such joint."""
     part = next((item.part for item in bill.items if item.item == f"glue of {joint} joints"), None)
     return part if isinstance(part, Glue) else None
+
+
+def minutes_to_set(glue: Glue | None) -> float:
+    """Time after which a joint of a glue may be tested, min; assumed by its chemistry."""
+    return _setting(glue)[0]
+
+
+def setting_words(glue: Glue) -> str:
+    """When a joint of a glue may be tested, and when it has its full strength."""
+    minutes, hours = _setting(glue)
+    return (
+        f"Wait {minutes:g} min before you test or load a joint; it has its full strength after {hours:g} h. Both times "
+        "are assumed, so read the data sheet of the glue"
+    )
+
+
+def _setting(glue: Glue | None) -> tuple[float, float]:
+    chemistry = "" if glue is None else glue.chemistry
+    return next((times for word, times in _SETTING.items() if word in chemistry), _OTHER_SETTING)
 
 
 def dangers_of(model: ArrayModel, bill: Bill, process: PrintProcess) -> tuple[Danger, ...]:

@@ -8,17 +8,17 @@ from pathlib import Path
 
 from geometry.assembly.bill import Bill
 from geometry.assembly.model import ArrayModel
+from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import counted
 from geometry.ground.whole_files import write_text
 from geometry.molds.mold_filling import CLOSING_FORCE, CLOSING_TIME, OVERFILL
-from studies.kit.build_facts import Cast, casts_of
+from geometry.stock import Silicone, catalogue
+from studies.kit.build_facts import SMALLEST_BATCH, Cast, casts_of
 
-#: Smallest batch of two parts that a scale of 0.1 g divides well, g; assumed.
-SMALLEST_BATCH = 5.0
 #: Columns of ``casting.csv``.
 _COLUMNS = (
     *("membrane", "needed", "cavities", "casts", "in_cavities_ml", "overflow_ml", "in_cup_ml", "mixed_ml", "mixed_g"),
-    *("wasted", "opening_force_n"),
+    *("wasted", "opening_force_n", "batch_g", "batch_ml", "spare"),
 )
 
 
@@ -27,19 +27,35 @@ def casting_words(cast: Cast) -> str:
     left = cast.mixed - cast.poured - cast.overflow
     return (
         f"{cast.membrane}: {counted(cast.casts, 'cast')} with {counted(cast.cavities, 'cavity')} for "
-        f"{counted(cast.needed, 'membrane')}. Mix {cast.mixed:.3g} ml ({cast.grams:.3g} g) a cast: the cavities take "
-        f"{cast.poured:.3g} ml, {cast.overflow:.3g} ml flow over the rims, and about {left:.3g} ml stay in the cup. "
-        f"{100 * cast.wasted:.0f} % of the mixed silicone becomes no membrane of the array{_batch(cast)}."
+        f"{counted(cast.needed, 'membrane')}. Mix {cast.batch_grams:.3g} g ({cast.batch:.3g} ml) a cast{_batch(cast)}. "
+        f"The cavities take {cast.poured:.3g} ml, {cast.overflow:.3g} ml flow over the rims, at least {left:.3g} ml "
+        f"stay in the cup, {cast.mixed:.3g} ml ({cast.grams:.3g} g) together. {_spare_words(cast)}"
     )
 
 
 def _batch(cast: Cast) -> str:
-    """Waste of the smallest batch that a scale weighs well; empty for a larger one."""
-    if cast.grams >= SMALLEST_BATCH:
-        return ""
-    lost = 1 - (1 - cast.wasted) * cast.grams / SMALLEST_BATCH
+    """Reason for the smallest batch; empty for a larger one."""
+    return ", the smallest batch whose parts a kitchen scale divides well" if cast.grams < SMALLEST_BATCH else ""
+
+
+def _spare_words(cast: Cast) -> str:
+    """Where spare membranes come from."""
+    if cast.spare:
+        return f"{counted(cast.spare, 'membrane')} of them are spare."
     return (
-        f", and {100 * lost:.0f} % if you mix {SMALLEST_BATCH:g} g, the smallest batch that a kitchen scale weighs well"
+        "No cavity is left for a spare membrane: if one tears, cast once more from a new cup, which the order list "
+        "includes."
+    )
+
+
+def cure_words(design: ArrayDesign) -> str:
+    """Silicone of a design with its pot life and its cure; empty if the catalogue lacks it."""
+    silicone = catalogue().silicone(design).part
+    if not isinstance(silicone, Silicone):
+        return ""
+    return (
+        f"{silicone.name}: work within {silicone.pot_life:g} min, cure {silicone.cure_time:g} h at 23 \N{DEGREE SIGN}C."
+        " Mix the two parts as the package says."
     )
 
 
@@ -80,7 +96,8 @@ def closing_words(cast: Cast) -> str:
 def write_casting(model: ArrayModel, bill: Bill, folder: Path) -> None:
     """Write ``casting.txt`` and ``casting.csv``: volumes of silicone, and how to close and to open the mold."""
     casts = casts_of(model, bill)
-    lines = [words for cast in casts for words in (casting_words(cast), closing_words(cast), opening_words(cast), "")]
+    lines = [cure_words(model.design), ""]
+    lines += [words for cast in casts for words in (casting_words(cast), closing_words(cast), opening_words(cast), "")]
     write_text(folder / "casting.txt", "\n".join(lines))
     table = io.StringIO()
     writer = csv.writer(table, lineterminator="\n")
@@ -88,6 +105,6 @@ def write_casting(model: ArrayModel, bill: Bill, folder: Path) -> None:
     for cast in casts:
         volumes = (cast.poured, cast.overflow, cast.mixed - cast.poured - cast.overflow, cast.mixed, cast.grams)
         row = (cast.membrane, cast.needed, cast.cavities, cast.casts)
-        rounded = (f"{value:.4g}" for value in (*volumes, cast.wasted, cast.opening.suction if cast.closed else 0.0))
-        writer.writerow([*row, *rounded])
+        others = (cast.wasted, cast.opening.suction if cast.closed else 0.0, cast.batch_grams, cast.batch)
+        writer.writerow([*row, *(f"{value:.4g}" for value in (*volumes, *others)), cast.spare])
     write_text(folder / "casting.csv", table.getvalue())

@@ -15,6 +15,7 @@ from geometry.design.array_design import ArrayDesign
 from geometry.ground.whole_files import whole_file, write_text
 from geometry.layout.cutting import Cut, cutting_list
 from geometry.layout.placement import ArrayLayout
+from geometry.stock import Sleeve, catalogue
 from studies.output.figure_style import figure_in_style
 
 if TYPE_CHECKING:
@@ -28,6 +29,10 @@ _MARGIN, LONGEST = 15.0, 170.0
 _ROW, _WORDS, _MOST = 16.0, 3.0, 20
 #: Length of the bar by which the scale of a print is checked, mm.
 SCALE_BAR = 100.0
+#: Fraction of its length that a heat-shrink sleeve may lose while it shrinks: assumed.
+SLEEVE_SHORTENS = 0.1
+#: Spare pieces of each row.
+SPARE_PIECES = 1
 #: Height of a piece that is thinner than this in the drawing, mm, so that it can be seen.
 _LEAST_HEIGHT = 1.0
 
@@ -48,11 +53,15 @@ class Strip:
     """Outside diameter of a piece, mm."""
     place: str
     """Words that say where it goes."""
+    rough: float | None = None
+    """Length to which a heat-shrink sleeve is cut before it is shrunk, mm; None for what does not shrink."""
 
     @property
     def title(self) -> str:
         """Words beside the row."""
-        return f"{self.name}  {self.what} {self.diameter:g} mm: {self.count} x {self.length:g} mm, {self.place}"
+        first = "" if self.rough is None else f" (sleeve: cut {self.rough:g} mm, shrink, then trim here)"
+        pieces = f"{self.count} + {SPARE_PIECES} spare"
+        return f"{self.name}  {self.what} {self.diameter:g} mm: {pieces} x {self.length:g} mm{first}, {self.place}"
 
     @property
     def boxes(self) -> tuple[tuple[float, float], ...]:
@@ -62,23 +71,28 @@ class Strip:
         if self.length > LONGEST:
             return ((0.0, LONGEST),)
         pitch = self.length + Waste().cutting_loss
-        shown = max(1, min(self.count, _MOST, int((LONGEST + Waste().cutting_loss) / pitch)))
+        shown = max(1, min(self.count + SPARE_PIECES, _MOST, int((LONGEST + Waste().cutting_loss) / pitch)))
         return tuple((number * pitch, number * pitch + self.length) for number in range(shown))
+
+
+def rough_length(length: float) -> float:
+    """Length to which a heat-shrink sleeve is cut so that enough is left to trim it to a length, mm, in half mm."""
+    return math.ceil(2 * length / (1 - SLEEVE_SHORTENS)) / 2
 
 
 def template_strips(design: ArrayDesign, layout: ArrayLayout | None = None) -> tuple[Strip, ...]:
     """Rows of the template, springs before the sheaths over them; pieces of one length and diameter share a row."""
-    rows: dict[tuple[str, float, float], list[Cut]] = {}
+    rows: dict[tuple[str, float, float, bool], list[Cut]] = {}
     for cut in cutting_list(design, layout):
-        for what, length, diameter in _pieces(cut):
-            rows.setdefault((what, length, diameter), []).append(cut)
+        for piece in _pieces(cut):
+            rows.setdefault(piece, []).append(cut)
     ordered = sorted(rows.items(), key=lambda row: row[0][0] != "spring")
     return tuple(
         Strip(
             _letter(number), what, length, sum(cut.count for cut in cuts), diameter,
-            "; ".join(dict.fromkeys(cut.place for cut in cuts)),
+            "; ".join(dict.fromkeys(cut.place for cut in cuts)), rough_length(length) if shrinks else None,
         )
-        for number, ((what, length, diameter), cuts) in enumerate(ordered)
+        for number, ((what, length, diameter, shrinks), cuts) in enumerate(ordered)
     )  # fmt: skip
 
 
@@ -187,12 +201,13 @@ def _draw_page(axes: Axes, strips: Sequence[Strip], title: str, height: float) -
             axes.text(left, y - 3.5, words, fontsize=7)
 
 
-def _pieces(cut: Cut) -> Iterator[tuple[str, float, float]]:
-    """Kind, length and outside diameter of the pieces of a cut."""
+def _pieces(cut: Cut) -> Iterator[tuple[str, float, float, bool]]:
+    """Kind, length and outside diameter of the pieces of a cut, and whether they are sleeves that shrink."""
     tube = cut.tube
     if tube.bore != "smooth":
-        yield "spring", cut.spring_length, tube.spring_outer_diameter
-    yield "tubing" if tube.bore == "smooth" else "sheath", cut.cut_length, tube.outer_diameter
+        yield "spring", cut.spring_length, tube.spring_outer_diameter, False
+    what = "tubing" if tube.bore == "smooth" else "sheath"
+    yield what, cut.cut_length, tube.outer_diameter, isinstance(catalogue().sheath(tube).part, Sleeve)
 
 
 def _letter(number: int) -> str:
@@ -203,10 +218,12 @@ def _letter(number: int) -> str:
 def _csv(strips: Sequence[Strip]) -> str:
     text = io.StringIO()
     table = csv.writer(text, lineterminator="\n")
-    table.writerow(["row", "what", "pieces", "length (mm)", "outside (mm)", "length in all (m)", "where it goes"])
     loss = Waste().cutting_loss
+    sizes = ("length (mm)", "cut before shrinking (mm)", "outside (mm)", f"in all with {loss:g} mm lost a cut (m)")
+    table.writerow(["row", "what", "pieces", "spare", *sizes, "where it goes"])
     for strip in strips:
-        total = math.fsum([strip.count * (strip.length + loss)]) / 1000
-        sizes = [f"{strip.length:g}", f"{strip.diameter:g}", f"{total:.3g}"]
-        table.writerow([strip.name, strip.what, strip.count, *sizes, strip.place])
+        rough = "" if strip.rough is None else f"{strip.rough:g}"
+        total = (strip.count + SPARE_PIECES) * ((strip.rough or strip.length) + loss) / 1000
+        lengths = (f"{strip.length:g}", rough, f"{strip.diameter:g}", f"{total:.3g}")
+        table.writerow([strip.name, strip.what, strip.count, SPARE_PIECES, *lengths, strip.place])
     return text.getvalue()

@@ -14,8 +14,15 @@ from geometry.boards import closest, write_board
 from geometry.ground.whole_files import made_folder, write_text
 from geometry.stock import Logger
 from studies.kit.jobs import BUILD, BUY
-from studies.kit.logger_levels import FIRM_TAP, ExpectedLevels, expected_levels
-from studies.kit.microphone_wiring import Wire, Wiring, head_clashes, wires_csv, wiring_of
+from studies.kit.logger_levels import (
+    FIRM_TAP,
+    FIRST_TOUCH,
+    ExpectedLevels,
+    LongestTouch,
+    expected_levels,
+    gentle_touches,
+)
+from studies.kit.microphone_wiring import Wire, Wiring, head_clashes, reference_wire, wires_csv, wiring_of
 
 #: Folder of the files of the board.
 BOARD_FOLDER = "electronics"
@@ -32,7 +39,9 @@ class Electronics:
     levels: ExpectedLevels
     """Levels at the data loggers."""
     wires: tuple[Wire, ...]
-    """Wires to the most suitable logger."""
+    """Wires to the most suitable logger; the calibration microphone is the last."""
+    gentle: tuple[LongestTouch, ...]
+    """Largest forces of touches of some lengths that are not clipped."""
     clashes: tuple[str, ...]
     """Microphones the head of whose board may touch other parts."""
 
@@ -40,6 +49,11 @@ class Electronics:
     def logger(self) -> Logger | None:
         """Most suitable data logger; None for digital microphones, or if none has enough inputs."""
         return self.levels.loggers[0].logger if self.levels.loggers else None
+
+    @property
+    def first_touch(self) -> LongestTouch:
+        """Largest touch of the first recording."""
+        return next(touch for touch in self.gentle if touch.seconds == FIRST_TOUCH)
 
     @property
     def notes(self) -> tuple[str, ...]:
@@ -58,7 +72,15 @@ def electronics_of(model: ArrayModel) -> Electronics:
     wiring, levels = wiring_of(model.design), expected_levels(model.design)
     logger = levels.loggers[0].logger if levels.loggers else None
     clashes = () if wiring.board is None else head_clashes(model, wiring.board)
-    return Electronics(wiring, levels, wiring.wires(model.design, logger), clashes)
+    wires = (*wiring.wires(model.design, logger), reference_wire(model.design, logger))
+    return Electronics(wiring, levels, wires, gentle_touches(model.design), clashes)
+
+
+def recorded_options(electronics: Electronics) -> str:
+    """Options by which commands read recordings of the most suitable logger."""
+    loggers = electronics.levels.loggers
+    scale = f"--full-scale {loggers[0].full_scale:.4g} " if loggers else ""
+    return f"{scale}--microphone-output voltage"
 
 
 def write_electronics(electronics: Electronics, folder: Path) -> None:
@@ -108,15 +130,15 @@ def _wiring_lines(electronics: Electronics) -> Iterator[str]:
     if wiring.board is None:
         yield f"No board is drawn: {wiring.missing}."
     else:
-        yield f"The board of {BUY}/{BOARD_FOLDER} has the connector. Pins are counted from 1, the square one."
+        yield f"The board of {BUY}/{BOARD_FOLDER} has the connector J1. Its pins are counted from 1, the square pad."
     if wiring.pins:
         yield "Pins of the microphone: " + ", ".join(f"{k} {net}" for k, net in enumerate(wiring.pins, start=1)) + "."
     yield f"Source: {wiring.source}."
     yield ""
     yield f"{'microphone':11} {'channel':8} {'pin':4} {'signal':7} {'colour':8} goes to"
     for wire in electronics.wires:
-        line = f"{wire.microphone:11} {wire.channel:<8} {wire.pin:<4} {wire.signal:7} {wire.colour:8} {wire.goes_to}"
-        yield line
+        pin, colour = wire.pin or "-", wire.colour
+        yield f"{wire.microphone:11} {wire.channel:<8} {pin:<4} {wire.signal:7} {colour:8} {wire.goes_to}"
     yield ""
     if not levels.loggers:
         yield "No data logger of the catalogue has an input for each microphone, so no levels at a logger are listed."
@@ -130,22 +152,32 @@ def _wiring_lines(electronics: Electronics) -> Iterator[str]:
         yield from each.problems
     yield ""
     yield from levels.verdict
+    yield ""
+    yield "Largest touches that are not clipped, on the loudest point:"
+    for touch in electronics.gentle:
+        yield f"  {touch.seconds:.2g} s  {touch.force:.2g} N, the weight of {touch.grams:.2g} g"
 
 
 def _levels_csv(levels: ExpectedLevels) -> str:
     """Levels of all points as CSV: one line per point and logger, with a header."""
     text = io.StringIO()
     table = csv.writer(text, lineterminator="\n")
-    taps = [f"{name} ({unit})" for name in (f"{levels.force:g} N", f"{FIRM_TAP:g} N") for unit in ("Pa", "mV", "dBFS")]
-    table.writerow(["point", "microphone", "logger", *taps, "headroom to overload (dB)", "noise (steps)"])
+    forces = (f"{levels.force:g} N", f"{FIRM_TAP:g} N")
+    taps = [f"{name} {column}" for name in forces for column in ("(Pa)", "(mV)", "(dBFS)", "clipped")]
+    table.writerow(
+        ["point", "microphone", "logger", *taps, "headroom to overload (dB)", "largest tap (N)", "noise (steps)"]
+    )
     for each in levels.loggers:
         for point in levels.points:
             row: list[object] = [point.point, point.microphone, each.name]
             for pressure in (point.touch, point.firm):
-                volts = "" if levels.sensitivity is None else f"{1e3 * pressure * levels.sensitivity:.4g}"
-                row += [f"{pressure:.4g}", volts, f"{each.decibels(pressure):.1f}"]
+                kept = levels.recorded(pressure, each)
+                volts = "" if levels.sensitivity is None else f"{1e3 * kept * levels.sensitivity:.4g}"
+                clipped = "yes" if levels.is_clipped(pressure, each) else "no"
+                row += [f"{pressure:.4g}", volts, f"{each.decibels(kept):.1f}", clipped]
             headroom = each.decibels(levels.overload) - each.decibels(point.touch)
-            table.writerow([*row, f"{headroom:.1f}", f"{each.noise_steps:.3g}"])
+            largest = levels.force * min(levels.overload, each.full_scale) / point.touch
+            table.writerow([*row, f"{headroom:.1f}", f"{largest:.2g}", f"{each.noise_steps:.3g}"])
     return text.getvalue()
 
 

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 import acoustic_fem
 from acoustic_fem.batch import ArrayParameters, Topology, batch_response
 from acoustic_fem.duct.leak import leak_conductance
+from acoustic_fem.network.microphone_output import output_response
 from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter import AsBuiltSensors, ScatteredDesign, UnknownScatterError
 from geometry.design.array_design import ArrayDesign
@@ -78,6 +79,11 @@ def expected_signals(design: ArrayDesign, built: Array | None) -> tuple[Expected
             )
         )
     return tuple(signals)
+
+
+def microphone_loss(design: ArrayDesign) -> float:
+    """Output of a microphone at :data:`FREQUENCY` relative to that at 1 kHz, dB, negative below its corner."""
+    return float(20 * np.log10(np.abs(output_response(design.microphone, FREQUENCY, design_air(design)))))
 
 
 def _leak(design: ArrayDesign, louder: NDArray[np.int64]) -> Array | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from importlib.metadata import version
 from pathlib import Path
 
 import geometry
@@ -21,12 +22,13 @@ from geometry.printing.report_files import write_report
 from geometry.schema.print_processes import PrintProcess
 from geometry.stock import Silicone, catalogue
 from studies.kit.body_files import BodyFiles, write_body
+from studies.kit.build_facts import casts_of, glue_of, minutes_to_set
 from studies.kit.casting_sheet import write_casting
 from studies.kit.cutting_template import write_cutting
 from studies.kit.electronics_files import electronics_of, write_electronics
 from studies.kit.jobs import BUILD, BUY, CAST, CUT, PRINT
 from studies.kit.manual import write_manual
-from studies.kit.ordering import OrderList, order_list
+from studies.kit.ordering import OrderList, order_list, printed_spares
 from studies.kit.record_sheet import write_record
 from studies.kit.work_hours import work_of
 from studies.output.display import Report
@@ -90,7 +92,7 @@ def write_kit(
     shapes = tessellate_distinct(parts, progress=lambda part, done: report(part, 0.25 * done))
     files = _export_parts(model, folder, formats, shapes, report)
     report("plates", 0.3)
-    plates = export_plates(parts, folder / PRINT, process, shapes)
+    plates = export_plates(parts, folder / PRINT, process, shapes, printed_spares(parts))
     printing = print_report(
         parts, process, design, lambda part, done: report(f"print rules of {part}", 0.35 + 0.15 * done), shapes
     )
@@ -108,8 +110,8 @@ def write_kit(
     geometry.pictures.write_gltf(model, build / "array.glb", shown)
     report("array.html", 0.64)
     geometry.pictures.write_viewer(model, build / "array.html", shown)
-    write_record(design, order.bill, build)
     electronics = electronics_of(model)
+    write_record(design, order.bill, electronics, build)
     write_electronics(electronics, folder)
     report("pictures", 0.68)
     geometry.pictures.top_view(model, build / "top-view.png")
@@ -174,13 +176,15 @@ def order_of(model: ArrayModel, plates: int, process: PrintProcess) -> OrderList
     bill = bill_of_materials(model.design, model.parts, layout=model.layout)
     silicone = catalogue().silicone(model.design).part
     cure = silicone.cure_time if isinstance(silicone, Silicone) else 16.0
-    return order_list(model.design, bill, work_of(model, plates, process, cure), process)
+    work = work_of(model, plates, process, cure, minutes_to_set(glue_of(bill, "tube")))
+    return order_list(model.design, bill, work, process, casts_of(model, bill))
 
 
 def _write_orders(order: OrderList, folder: Path) -> None:
-    """Write the order list, the hours of work and the bill."""
+    """Write the order list, its costs, the hours of work and the bill."""
     _made(folder)
     write_text(folder / "order-list.csv", order.to_csv())
+    write_text(folder / "costs.csv", order.costs_csv())
     write_text(folder / "work-hours.csv", order.work_csv())
     write_bill(order.bill, folder)
 
@@ -201,6 +205,13 @@ def _first_words(name: str, has_body: bool) -> str:
         "",
     ]
     lines += [f"{job}  {words}" for job, words in jobs.items()]
+    lines += [
+        "",
+        f"Recording and calibrating need acoustic-fem {version('acoustic-fem')}, which wrote this kit, on a computer",
+        "with Python 3.11 or newer. Install it from its source: in the folder with its pyproject.toml type",
+        "pip install '.[plots,live]'. Then make the library of the sensor, which every recording is compared with:",
+        f"acoustic-fem solve {BUILD}/design.toml --out library.nc",
+    ]
     if has_body:
         lines += ["", f"{BUILD}/body.txt says how the array goes onto the body, whose files are in {PRINT}/body."]
     return "\n".join(lines) + "\n"

@@ -1,8 +1,9 @@
 """Leak tests of a build, computed from the design: pressure to apply, bulge to see, largest fall of a water gauge.
 
 A leak of conductance G beside a compliance C is a high-pass of corner G / (2 pi C). It must lie a decade below the
-high-pass of a stream, which is 3 Hz. A water gauge of section A holds the compliance A / (rho g), far more than the
-cell, so that its level falls slowly enough to be read.
+high-pass of a stream, which is 3 Hz. A water gauge is a hose of section A, bent to a U, whose two levels part by the
+height of the pressure. It holds the compliance A / (2 rho g), far more than the cell, so that the height falls slowly
+enough to be read.
 """
 
 from __future__ import annotations
@@ -33,6 +34,13 @@ _WATER = 9810.0
 _HOLE_LENGTH, _BUBBLE = 1e-3, 1e-3
 
 
+#: Blunt needles by their gauge: outside diameter, mm, by the usual scale of needles.
+_NEEDLES = {
+    18: 1.27, 20: 0.91, 21: 0.82, 22: 0.72, 23: 0.64, 25: 0.51, 26: 0.46, 27: 0.41, 28: 0.36, 30: 0.31, 32: 0.23,
+    33: 0.21, 34: 0.18,
+}  # fmt: skip
+
+
 @dataclass(frozen=True)
 class LeakTest:
     """Leak test of one kind of point and the tubes at it."""
@@ -50,7 +58,7 @@ class LeakTest:
     hole: float
     """Diameter of a hole 1 mm long with that conductance, mm."""
     largest_fall: float
-    """Largest fall of the water gauge in the time that it is watched, mm."""
+    """Largest fall of the height between the two levels of the gauge in the time that it is watched, mm."""
     bubbles: float
     """Bubbles of 1 mm a second that the largest leak makes in soapy water."""
 
@@ -58,6 +66,20 @@ class LeakTest:
     def water(self) -> float:
         """Height of water that makes the pressure, mm."""
         return 1e3 * self.pressure / _WATER
+
+    @property
+    def fall(self) -> str:
+        """Largest fall, mm, in words."""
+        return f"{self.largest_fall:.0f}" if self.largest_fall >= 10 else f"{self.largest_fall:.2g}"
+
+
+def needle_words(bore: float) -> str:
+    """Blunt needle that joins the hose to a bore (mm)."""
+    fitting = {gauge: outside for gauge, outside in _NEEDLES.items() if outside <= bore - 0.02}
+    if not fitting:
+        return f"a glass capillary thinner than {bore:g} mm"
+    gauge, outside = max(fitting.items(), key=lambda each: each[1])
+    return f"a blunt needle of gauge {gauge} ({outside:g} mm outside)"
 
 
 def leak_tests(design: ArrayDesign) -> tuple[LeakTest, ...]:
@@ -73,7 +95,7 @@ def _test_of(design: ArrayDesign, kind: str) -> LeakTest:
     cell = membrane + cubic_metres(design.resonator.cavity_volume) / air.pressure
     pressure, rise, linear = _bulge(design, membrane, radius)
     largest = 2 * math.pi * LARGEST_CORNER * cell
-    gauge = math.pi / 4 * GAUGE_BORE**2 / _WATER
+    gauge = math.pi / 4 * GAUGE_BORE**2 / _WATER / 2
     fall = 1e3 * pressure / _WATER * -math.expm1(-WATCHED * largest / (gauge + cell))
     volume = math.pi / 6 * _BUBBLE**3
     return LeakTest(

@@ -1,7 +1,6 @@
 """Expected levels of touches at a data logger: pressure, voltage, dB of full scale, and noise in steps.
 
-Levels are linear in the force and do not include the clipping of the microphone, so that both ends can be compared:
-the overload of the microphone and the full scale of the logger.
+Pressures are linear in the force. A voltage ends where the microphone or the logger is clipped, whichever is first.
 """
 
 from __future__ import annotations
@@ -13,10 +12,18 @@ from dataclasses import dataclass
 from geometry.design.array_design import ArrayDesign
 from geometry.stock import Logger, StockMicrophone, catalogue
 from localize.embedded.converter import LARGEST_STEP, noise_at
-from studies.verdict.tap_levels import loudest_taps
+from studies.verdict.tap_levels import TAP, loudest_taps
 
 #: Force of a firm tap of a finger, N; assumed.
 FIRM_TAP = 1.0
+#: Lengths of the touches whose largest force is stated, s: a tap, and presses down and up again.
+TOUCH_LENGTHS = (TAP, 0.1, 0.2, 0.5)
+#: Length of the touches of the first recording, s: short enough for a signal at 10 Hz, longer than a tap.
+FIRST_TOUCH = 0.1
+#: Largest pressure that a microphone survives, Pa: 160 dB, as data sheets of its class often state; assumed.
+SURVIVED = 2000.0
+#: Weight of a mass of 1 g, N.
+GRAM = 9.81e-3
 #: Full scale of a knob per overload of the microphone, so that the microphone is clipped first.
 _ABOVE_OVERLOAD = 1.1
 #: Highest frequency of the slowest touches that a stream decodes, Hz: a logger must reach it.
@@ -68,8 +75,23 @@ class LoggerLevels:
         return math.hypot(self.microphone_noise, self.logger_noise) / self.step
 
     def decibels(self, pressure: float) -> float:
-        """Level of a peak pressure (Pa), dB of full scale."""
+        """Level of a peak pressure (Pa) that is not clipped, dB of full scale."""
         return 20 * math.log10(max(pressure, 1e-12) / self.full_scale)
+
+
+@dataclass(frozen=True)
+class LongestTouch:
+    """Largest force of a touch of one length that no microphone clips, on the loudest point."""
+
+    seconds: float
+    """Length of the touch, down and up again, s."""
+    force: float
+    """Force, N."""
+
+    @property
+    def grams(self) -> float:
+        """Mass that weighs as much, g, as a kitchen scale shows it."""
+        return self.force / GRAM
 
 
 @dataclass(frozen=True)
@@ -90,6 +112,19 @@ class ExpectedLevels:
     """Largest force of a tap that the microphone does not clip on any point, N."""
     verdict: tuple[str, ...]
     """Sentences on the overload of the microphone, with a remedy where touches reach it."""
+
+    def recorded(self, pressure: float, logger: LoggerLevels) -> float:
+        """Largest sample of a peak pressure (Pa) at a logger, Pa: that of the microphone or of the logger at most."""
+        return min(pressure, self.overload, logger.full_scale)
+
+    def is_clipped(self, pressure: float, logger: LoggerLevels) -> bool:
+        """True if the microphone or the logger cuts the peak of a pressure (Pa) off."""
+        return self.recorded(pressure, logger) < pressure
+
+    @property
+    def survived_force(self) -> float:
+        """Force of a tap at which the loudest point makes :data:`SURVIVED`, N."""
+        return self.force * SURVIVED / max(point.touch for point in self.points)
 
 
 def expected_levels(design: ArrayDesign) -> ExpectedLevels:
@@ -116,6 +151,19 @@ def expected_levels(design: ArrayDesign) -> ExpectedLevels:
     largest = force * microphone.overload / loudest
     verdict = tuple(_on_overload(design, loudest, largest))
     return ExpectedLevels(force, microphone.overload, sensitivity, points, tuple(found), largest, verdict)
+
+
+def gentle_touches(design: ArrayDesign) -> tuple[LongestTouch, ...]:
+    """Largest forces without clipping of touches of the :data:`TOUCH_LENGTHS`: slow ones may be larger.
+
+    Args:
+        design: the array.
+    """
+    per_newton = [loudest_taps([design], seconds=length)[0].max() / design.target.force for length in TOUCH_LENGTHS]
+    overload = design.microphone.overload
+    return tuple(
+        LongestTouch(length, overload / float(level)) for length, level in zip(TOUCH_LENGTHS, per_newton, strict=True)
+    )
 
 
 def _suitability(levels: LoggerLevels) -> tuple[int, float]:
@@ -173,16 +221,21 @@ def _on_overload(design: ArrayDesign, loudest: float, largest: float) -> Iterato
         return
     yield (
         f"A tap of {force:g} N makes up to {loudest:.3g} Pa, but the microphone is clipped from {overload:.3g} Pa. So "
-        f"its fast taps are clipped above {largest:.2g} N on the loudest point; slow presses are quieter."
+        f"its taps are clipped above {largest:.2g} N ({largest / GRAM:.2g} g) on the loudest point. A clipped touch "
+        "loses its peak: a decoder leaves that channel out and uses the other microphones, or reports that it cannot "
+        "read the touch. Slow presses are quieter."
     )
     values = [(each, each.values.get("microphone.overload", 0.0)) for each in catalogue().of(StockMicrophone)]
     better = [(each.part_number, value) for each, value in values if value > overload]
     enough = [f"{name} ({value:.3g} Pa)" for name, value in better if value >= loudest]
     if enough:
-        yield f"Microphones of the catalogue that record it whole: {', '.join(enough)}."
+        yield f"If your touches are harder, set microphone.model before you order: {', '.join(enough)} record it whole."
     elif better:
         name, value = max(better, key=lambda each: each[1])
+        chosen = catalogue().microphone(name)
+        boardless = " No board is drawn for it." if chosen is not None and chosen.land_pattern is None else ""
         yield (
-            f"No microphone of the catalogue is stated to record it whole. {name} reaches {value:.3g} Pa, "
-            f"{20 * math.log10(value / overload):.1f} dB more."
+            f"If your touches are harder, set microphone.model = {name!r} before you order. It reaches {value:.3g} Pa, "
+            f"{20 * math.log10(value / overload):.1f} dB more, so taps of up to {largest * value / overload:.2g} N. No "
+            f"microphone of the catalogue is stated to record {force:g} N whole.{boardless}"
         )

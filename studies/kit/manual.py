@@ -19,20 +19,29 @@ from geometry.printing.plates import Plates
 from geometry.printing.pose import find_pose
 from geometry.printing.printability import PrintReport
 from geometry.schema.print_processes import PrintProcess
-from geometry.solids.membrane import membrane_radius
 from geometry.stock import Silicone, Sleeve, catalogue
 from studies.kit import step_drawings, step_pictures
 from studies.kit.body_files import BodyFiles
-from studies.kit.build_facts import casts_of, dangers_of, glue_of
-from studies.kit.casting_sheet import casting_words, closing_words, opening_words
+from studies.kit.build_facts import casts_of, dangers_of, glue_of, setting_words
+from studies.kit.casting_sheet import casting_words, closing_words, cure_words, opening_words
 from studies.kit.cutting_template import SCALE_BAR, template_strips
-from studies.kit.electronics_files import BOARD_FOLDER, Electronics
-from studies.kit.expected_signals import FREQUENCY, HOLE, LEAK_FREQUENCY, as_built_levels, expected_signals
+from studies.kit.electronics_files import BOARD_FOLDER, Electronics, recorded_options
+from studies.kit.expected_signals import (
+    FREQUENCY,
+    HOLE,
+    LEAK_FREQUENCY,
+    as_built_levels,
+    expected_signals,
+    microphone_loss,
+)
+from studies.kit.holding import holding_words
 from studies.kit.jobs import BUILD, BUY, CAST, CUT, PRINT
-from studies.kit.leak_testing import GAUGE_BORE, WATCHED, leak_tests
+from studies.kit.leak_testing import GAUGE_BORE, WATCHED, leak_tests, needle_words
 from studies.kit.logger_levels import FIRM_TAP
 from studies.kit.ordering import OrderList
 from studies.kit.questions import Facts, answers_of
+from studies.kit.step_drawings import glued_face_words
+from studies.kit.step_tools import HAVE_READY, tools_of
 from studies.kit.touch_leak_test import READABLE, TOUCHED_HOLE, leak_signs, touch_order
 from studies.kit.work_hours import COUNTED
 from studies.output.display import Report
@@ -78,7 +87,11 @@ def write_manual(
     environment = jinja2.Environment(
         autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True
     )
-    environment.filters |= {"chunks": _chunks, "g3": lambda value: f"{value:.3g}", "signed": _signed}
+    environment.filters |= {
+        "chunks": _chunks,
+        "g3": _three,
+        "signed": _signed,
+    }
     text = (resources.files(studies) / "templates" / "manual.html").read_text(encoding="utf-8")
     report("expected signals", 0.0)
     built = as_built_levels(model.design)
@@ -138,7 +151,16 @@ def _content(facts: Facts, shapes: Sequence[SharedShape], report: Report) -> dic
         "readable": READABLE,
         "board_folder": BOARD_FOLDER,
         "firm": FIRM_TAP,
-        "radius": membrane_radius(design.resonator, design.membrane),
+        "needle": [needle_words(bore) for bore in sorted({tube.inner_diameter for tube in tubes})],
+        "setting": setting_words,
+        "tools": tools_of(facts.order, on_body=design.layout.frozen is not None),
+        "have_ready": HAVE_READY,
+        "microphone_loss": microphone_loss(design),
+        "glued_face": glued_face_words(design),
+        "holding": holding_words(model),
+        "cure_words": cure_words,
+        "recorded": recorded_options(facts.electronics),
+        "label_side": min(13.0, 0.68 * design.resonator.outer_diameter),
         "resin": facts.process.name in ("sla-resin", "dlp-fine"),
         "casting_words": casting_words,
         "closing_words": closing_words,
@@ -200,7 +222,17 @@ def _part_rows(facts: Facts, shapes: Sequence[SharedShape]) -> list[dict[str, An
         about = parts.parameters.get(shape.names[0], {}).get("ports", "")
         count = sum(parts.counts[name] for name in shape.names)
         mark = " ".join(marks[name] for name in shape.names if name in marks)
-        rows.append({"mark": mark, "name": ", ".join(shape.names), "count": count, "pose": pose, "ports": about})
+        spare = facts.plates.spares.get(shape.names[0], 0)
+        rows.append(
+            {
+                "mark": mark,
+                "name": ", ".join(shape.names),
+                "count": count,
+                "spare": spare,
+                "pose": pose,
+                "ports": about,
+            }
+        )
     return rows
 
 
@@ -239,6 +271,11 @@ def _chunks(rows: Sequence[_T], size: int = _ROWS) -> list[Sequence[_T]]:
     count = max(1, math.ceil(len(rows) / size))
     length = math.ceil(len(rows) / count)
     return [rows[first : first + length] for first in range(0, len(rows), length)] if rows else []
+
+
+def _three(value: float) -> str:
+    """Three digits, without a power of ten for large numbers."""
+    return f"{value:.0f}" if value >= 1000 else f"{value:.3g}"
 
 
 def _signed(value: float) -> str:

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from acoustic_fem.calibration.manifest import REFERENCE
 from geometry.assembly.model import ArrayModel
 from geometry.boards import BoardPlan, plan_board
 from geometry.design.array_design import ArrayDesign
@@ -48,8 +49,8 @@ class Wire:
     """Name of the microphone."""
     channel: int
     """Channel of the recording, from 1."""
-    pin: int
-    """Pin of the connector of the board, from 1."""
+    pin: int | None
+    """Pin of the connector of the board, from 1; None for the calibration microphone, which has no board."""
     signal: str
     """Signal."""
     colour: str
@@ -99,6 +100,21 @@ class Wiring:
                 yield Wire(name, number + 1, pin, signal, _COLOURS[signal], way)
 
 
+def reference_wire(design: ArrayDesign, logger: Logger | None) -> Wire:
+    """Way of the calibration microphone, which is recorded after the microphones of the array.
+
+    Args:
+        design: the array.
+        logger: its data logger; None for digital microphones.
+    """
+    number = len(design.microphones)
+    if logger is not None and number < logger.channels:
+        way = f"{_terminal(logger, 0, number)}, the output of its amplifier; only to calibrate"
+    else:
+        way = "a recorder of its own, only to calibrate; state started_late in calibration.toml"
+    return Wire(REFERENCE, number + 1, None, "OUT", "as its maker says", way)
+
+
 def wiring_of(design: ArrayDesign) -> Wiring:
     """Wiring of the microphones of a design."""
     model = design.microphone.model
@@ -110,7 +126,8 @@ def wiring_of(design: ArrayDesign) -> Wiring:
     if not isinstance(part, StockMicrophone):
         return Wiring(model, "", "", (), design.microphone.source, board, missing, ())
     source = part.pins_source or part.source
-    notes = () if board is None else tuple(_notes(board))
+    housing = design.microphone.board_size[0] / 2 + design.microphone.board_gap + design.microphone.wall_thickness
+    notes = () if board is None else tuple(_notes(board, housing))
     return Wiring(part.part_number, part.output, part.port, part.pins, source, board, missing, notes)
 
 
@@ -156,7 +173,7 @@ def wires_csv(wires: tuple[Wire, ...]) -> str:
     table = csv.writer(text, lineterminator="\n")
     table.writerow(["microphone", "channel", "pin of the board", "signal", "colour", "goes to"])
     for wire in wires:
-        table.writerow([wire.microphone, wire.channel, wire.pin, wire.signal, wire.colour, wire.goes_to])
+        table.writerow([wire.microphone, wire.channel, wire.pin or "", wire.signal, wire.colour, wire.goes_to])
     return text.getvalue()
 
 
@@ -173,7 +190,8 @@ def _terminal(logger: Logger, which: int, number: int) -> str:
     return logger.terminals[which].format(n=number + logger.first_terminal)
 
 
-def _notes(board: BoardPlan) -> Iterator[str]:
+def _notes(board: BoardPlan, housing: float) -> Iterator[str]:
+    """Notes on a board; ``housing`` is the distance of the outside of the housing from the axis, mm."""
     length, width = board.size
     yield (
         f"Order it with two layers, {board.thickness:g} mm thick, {length:.1f} x {width:.1f} mm, with gold on the pads "
@@ -184,6 +202,10 @@ def _notes(board: BoardPlan) -> Iterator[str]:
             "The source of its pads or pins is assumed. Compare them with the data sheet of the microphone before you "
             "order, because no other check can find a wrong pin."
         )
+    yield (
+        f"The board leaves the housing by {-board.head[0][0] - housing:.1f} mm. The solids show only the part in "
+        "the seat, and the size of the array leaves the head out."
+    )
     yield (
         "File the two inner corners at the neck square, because a milling cutter leaves them round. The board must lie "
         "flat in its seat."

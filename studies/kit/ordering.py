@@ -6,15 +6,20 @@ import csv
 import io
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, fields
-from typing import Literal
+from dataclasses import dataclass, fields, replace
+from typing import Literal, get_args
 
-from geometry.assembly.bill import Bill, BillItem
+from geometry.assembly.bill import Bill, BillItem, Waste
+from geometry.assembly.part_list import PartSet
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.argument_checks import check_range
+from geometry.molds.mold import MoldKind
 from geometry.schema.print_processes import PrintProcess
-from geometry.stock import Resin, StockMicrophone, StockPart, catalogue
+from geometry.stock import Resin, Sheath, Sleeve, Spring, StockMicrophone, StockPart, catalogue
+from studies.kit.build_facts import Cast, glue_of
+from studies.kit.cutting_template import SPARE_PIECES, rough_length
 from studies.kit.logger_levels import expected_levels
+from studies.kit.microphone_wiring import coupling_capacitor
 from studies.kit.work_hours import COUNTED, Work
 
 #: What a line of the list is for.
@@ -26,16 +31,24 @@ PACKS = {"resin": 1000.0, "silicone": 900.0, "glue": 20.0, "spring": 1.0, "sleev
 SERVICES = ("dlp-fine", "mjf")
 #: Consumables by their name in the catalogue; resins need isopropanol too.
 CONSUMABLES = (
-    *("nitrile-gloves", "release-agent", "mixing-cups", "syringe", "modelling-clay", "hose", "tee", "paper-wipes"),
+    *("nitrile-gloves", "release-agent", "mixing-cups", "syringe", "blunt-needle", "modelling-clay", "hose", "tee"),
+    *("paper-wipes", "solder-paste", "tape"),
 )
+#: Pieces of a consumable where one does not do: a syringe each for silicone, for the glue of membranes, for the gauge.
+PIECES = {"syringe": 3}
 #: Consumables of a process that prints with resin.
 OF_RESIN = ("isopropanol",)
 #: Tools by their name in the catalogue.
-TOOLS = ("tweezers", "scalpel", "side-cutter", "caliper", "scale", "loupe", "soldering-iron")
+TOOLS = (
+    *("safety-glasses", "tweezers", "scalpel", "side-cutter", "caliper", "scale", "loupe", "soldering-iron"),
+    *("hot-air", "multimeter", "clearing-wire", "flat-blade", "rod"),
+)
 #: Electronics of each microphone by their name in the catalogue, and in addition those of an analog one.
 OF_MICROPHONE, OF_ANALOG = ("decoupling-capacitor", "connector", "cable"), ("coupling-capacitor",)
 #: Tools for heat-shrink sleeves, and for resin.
 OF_SLEEVES, OF_RESIN_TOOLS = ("heat-gun",), ("cure-lamp", "wash-pot")
+#: Materials of sheaths that cyanoacrylate does not hold without a primer, and the primer by its name in the catalogue.
+UNGLUED, OF_UNGLUED = ("polyethylene", "polyolefin", "PTFE"), ("primer",)
 
 
 @dataclass(frozen=True)
@@ -99,6 +112,23 @@ class OrderLine:
 
 
 @dataclass(frozen=True)
+class Pack:
+    """Amount of one part as it is bought."""
+
+    part: StockPart
+    """The part."""
+    needed: float
+    """Amount that the order list has of it, in its unit."""
+    bought: float
+    """Amount of whole packs that hold this, in its unit."""
+
+    @property
+    def cost(self) -> float:
+        """Cost of the packs."""
+        return self.bought * self.part.price
+
+
+@dataclass(frozen=True)
 class OrderList:
     """Everything that one array takes, with spares, prices and hours."""
 
@@ -121,11 +151,38 @@ class OrderList:
     @property
     def cost_of_packs(self) -> float:
         """Cost of all lines but electronics if everything that the packs of :data:`PACKS` hold is bought whole."""
+        return math.fsum(pack.cost for pack in self.packs)
+
+    @property
+    def packs(self) -> tuple[Pack, ...]:
+        """Every part but electronics as it is bought: in whole packs where :data:`PACKS` has one."""
         amounts: dict[StockPart, float] = {}
         for line in self.lines:
             if line.part is not None and line.purpose in _WITHOUT_ELECTRONICS:
                 amounts[line.part] = amounts.get(line.part, 0.0) + line.ordered
-        return math.fsum(_packed(part, amount) * part.price for part, amount in amounts.items())
+        return tuple(Pack(part, amount, _packed(part, amount)) for part, amount in amounts.items() if amount)
+
+    @property
+    def cost_of_everything(self) -> float:
+        """Cost of whole packs and electronics together."""
+        return self.cost_of_packs + self.cost("electronics")
+
+    def costs_csv(self) -> str:
+        """Costs as CSV: whole packs of each part, then the electronics, and sums that are those of the rows above."""
+        text = io.StringIO()
+        table = csv.writer(text, lineterminator="\n")
+        table.writerow(["what", "needed", "bought", "unit", f"unit price ({self.bill.currency})", "cost"])
+        for pack in self.packs:
+            amounts = (f"{pack.needed:.4g}", f"{pack.bought:.4g}")
+            table.writerow([pack.part.name, *amounts, pack.part.unit, f"{pack.part.price:g}", f"{pack.cost:.2f}"])
+        table.writerow(["sum of whole packs", "", "", "", "", f"{self.cost_of_packs:.2f}"])
+        for line in self.lines:
+            if line.purpose == "electronics" and line.part is not None and line.ordered:
+                amounts = (f"{line.needed:.4g}", f"{line.ordered:.4g}")
+                table.writerow([line.item, *amounts, line.unit, f"{line.part.price:g}", f"{line.cost:.2f}"])
+        table.writerow(["sum of electronics", "", "", "", "", f"{self.cost('electronics'):.2f}"])
+        table.writerow(["everything", "", "", "", "", f"{self.cost_of_everything:.2f}"])
+        return text.getvalue()
 
     @property
     def hours(self) -> float:
@@ -166,7 +223,12 @@ class OrderList:
 
 
 def order_list(
-    design: ArrayDesign, bill: Bill, work: Sequence[Work], process: PrintProcess, spares: Spares | None = None
+    design: ArrayDesign,
+    bill: Bill,
+    work: Sequence[Work],
+    process: PrintProcess,
+    casts: Sequence[Cast],
+    spares: Spares | None = None,
 ) -> OrderList:
     """Order list of one array.
 
@@ -175,18 +237,22 @@ def order_list(
         bill: its bill of materials.
         work: of :func:`studies.kit.work_hours.work_of`.
         process: printing process.
+        casts: casts of the membranes, whose cups hold more than the membranes.
         spares: fractions of spares in place of the assumed ones.
     """
     spares, sold = spares or Spares(), catalogue()
     resin = process.name in ("sla-resin", "dlp-fine")
     sleeved = any(item.part is not None and item.part.kind == "sleeve" for item in bill.items)
-    lines = [_line(item, spares) for item in bill.items]
-    extras: list[tuple[Purpose, str]] = [("consumable", role) for role in (OF_RESIN if resin else ()) + CONSUMABLES]
+    cups = {cast.membrane: cast for cast in casts}
+    lines = _joined([_line(item, spares, cups.get(item.item)) for item in bill.items])
+    consumables = (OF_RESIN if resin else ()) + (OF_UNGLUED if _needs_primer(bill) else ()) + CONSUMABLES
+    extras: list[tuple[Purpose, str]] = [("consumable", role) for role in consumables]
     extras += [("tool", role) for role in (OF_RESIN_TOOLS if resin else ()) + (OF_SLEEVES if sleeved else ()) + TOOLS]
     for purpose, role in extras:
         part = sold.sundry(role).part
         note = "not in the catalogue" if part is None else part.note
-        lines.append(OrderLine(purpose, role.replace("-", " "), 1, 0, "piece", part, role.replace("-", " "), note))
+        name = role.replace("-", " ")
+        lines.append(OrderLine(purpose, name, PIECES.get(role, 1), 0, "piece", part, name, note))
     lines += _electronics(design, spares)
     order: dict[Purpose, int] = {"array": 0, "molds": 1, "electronics": 2, "consumable": 3, "tool": 4}
     return OrderList(bill, tuple(sorted(lines, key=lambda line: order[line.purpose])), tuple(work), spares)
@@ -202,8 +268,17 @@ def _electronics(design: ArrayDesign, spares: Spares) -> Iterator[OrderLine]:
     roles = OF_MICROPHONE if digital else (*OF_MICROPHONE, *OF_ANALOG)
     if first is not None and first.coupling == "DC":
         roles = (*roles, "input-resistor")
+    values = (
+        {}
+        if first is None
+        else {
+            "coupling-capacitor": f"{coupling_capacitor(first):g} uF, ",
+            "input-resistor": f"{first.input_resistance / 1e3:g} kOhm, ",
+        }
+    )
     for role in roles:
-        yield _sundry(role, count, float(max(1, math.ceil(spares.bought * count))))
+        line = _sundry(role, count, float(spare_pieces(count, spares.bought)))
+        yield replace(line, note=values.get(role, "") + line.note)
     yield _sundry("controller" if digital else "battery-holder", 1, 0)
     for number, each in enumerate(levels.logger for levels in logger):
         if each is not None:
@@ -217,19 +292,78 @@ def _sundry(role: str, count: int, spare: float) -> OrderLine:
     return OrderLine("electronics", name, count, spare, "piece", part, name, note)
 
 
-def _line(item: BillItem, spares: Spares) -> OrderLine:
-    """A line of the bill with its spares; a mold is made once."""
+def spare_pieces(count: int, fraction: float) -> int:
+    """Spare pieces of a number of pieces: a fraction of them, at least one; none of none."""
+    return max(1, math.ceil(fraction * count)) if count else 0
+
+
+def printed_spares(parts: PartSet, spares: Spares | None = None) -> dict[str, int]:
+    """Spare pieces of each printed part of the array; a mold is made once."""
+    fraction = (spares or Spares()).made
+    return {
+        name: spare_pieces(parts.counts[name], fraction)
+        for name in parts
+        if parts.origin(name) == "printed" and parts.kinds[name] not in get_args(MoldKind)
+    }
+
+
+def _line(item: BillItem, spares: Spares, cast: Cast | None) -> OrderLine:
+    """A line of the bill with its spares; a mold is made once, and silicone is mixed by the cup."""
+    needed, note = item.quantity, item.note
     if item.use == "tooling":
         spare = 0.0
+    elif cast is not None:
+        needed = cast.casts * cast.batch
+        spare = 0.0 if cast.spare >= spare_pieces(cast.needed, spares.made) else cast.batch
+        note = f"{note}; {cast.casts} x {cast.batch_grams:.3g} g to mix{', and one cup for spares' if spare else ''}"
     elif item.use in ("printed", "cast"):
-        piece = item.quantity / item.count if item.count else 0.0
-        spare = piece * max(1, math.ceil(spares.made * item.count)) if item.count else 0.0
+        number = spare_pieces(item.count, spares.made)
+        spare = item.quantity / item.count * number if item.count else 0.0
+        note = f"{note}; {number} spare"
     elif item.unit == "piece":
-        spare = float(max(1, math.ceil(spares.bought * item.quantity)))
+        spare = float(spare_pieces(item.count, spares.bought))
+    elif item.unit == "m":
+        needed, words = _length(item)
+        note += words
+        # A piece of each row is cut as a spare.
+        spare = max(spares.tube * needed, SPARE_PIECES * needed / item.count)
     else:
-        spare = (spares.tube if item.unit == "m" else spares.glue) * item.quantity
+        spare = spares.glue * item.quantity
     purpose: Purpose = "molds" if item.use == "tooling" else "array"
-    return OrderLine(purpose, item.item, item.quantity, spare, item.unit, item.part, item.bought_as, item.note)
+    return OrderLine(purpose, item.item, needed, spare, item.unit, item.part, item.bought_as, note)
+
+
+def _length(item: BillItem) -> tuple[float, str]:
+    """Length of all pieces of spring or sheath, m, and what a shop must know of them."""
+    part, loss = item.part, Waste().cutting_loss
+    if isinstance(part, Sleeve):
+        rough = rough_length(1000 * item.quantity / item.count - loss)
+        return item.count * (rough + loss) / 1000, f"; sleeves cut {rough:g} mm long before they shrink"
+    if isinstance(part, Spring) and not part.maker:
+        return item.quantity, "; ask makers of springs for a close-wound coil without hooks, by the metre or in rods"
+    return item.quantity, ""
+
+
+def _joined(lines: Sequence[OrderLine]) -> list[OrderLine]:
+    """Lines, those of one item that is bought by the metre as one."""
+    found: dict[object, OrderLine] = {}
+    for number, line in enumerate(lines):
+        key: object = (line.item, line.bought_as) if line.unit == "m" else number
+        if key in found:
+            first = found[key]
+            notes = dict.fromkeys((*first.note.split("; "), *line.note.split("; ")))
+            # The place of each piece first, then what a shop must know.
+            words = "; ".join(sorted(notes, key=lambda note: not note.startswith("cut to")))
+            line = replace(first, needed=first.needed + line.needed, spare=first.spare + line.spare, note=words)
+        found[key] = line
+    return list(found.values())
+
+
+def _needs_primer(bill: Bill) -> bool:
+    """True if a tube whose sheath few glues hold is glued with cyanoacrylate."""
+    glue = glue_of(bill, "tube")
+    sheaths = (item.part for item in bill.items if isinstance(item.part, Sheath))
+    return glue is not None and "cyanoacrylate" in glue.chemistry and any(each.material in UNGLUED for each in sheaths)
 
 
 def _packed(part: StockPart, amount: float) -> float:
@@ -241,4 +375,6 @@ def _packed(part: StockPart, amount: float) -> float:
 
 
 def _words(quantity: float, unit: str) -> str:
+    if unit == "m" and quantity < 1:
+        return f"{1000 * quantity:.0f} mm"
     return f"{quantity:.0f} pcs" if unit == "piece" else f"{quantity:.3g} {unit}"

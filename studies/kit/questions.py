@@ -18,9 +18,10 @@ from studies.kit.build_facts import Cast, glue_of
 from studies.kit.cutting_template import Strip
 from studies.kit.electronics_files import Electronics
 from studies.kit.expected_signals import FREQUENCY, ExpectedSignal
-from studies.kit.jobs import BUILD, CUT, PRINT
+from studies.kit.jobs import BUILD, BUY, CUT, PRINT
 from studies.kit.leak_testing import WATCHED, LeakTest
 from studies.kit.ordering import OrderList
+from studies.kit.step_drawings import glued_face_words
 from studies.kit.touch_leak_test import LeakSign
 
 #: Number of the step of the first recording in the manual of an array that lies on no body.
@@ -91,8 +92,9 @@ def _buying(facts: Facts) -> Sequence[tuple[str, str, str]]:
             "cost",
             f"Materials with spares {order.cost('array'):.2f} {money}, molds {order.cost('molds'):.2f} {money}, "
             f"consumables {order.cost('consumable'):.2f} {money}, tools {order.cost('tool'):.2f} {money}. If "
-            f"you buy every bottle and metre whole, all costs {order.cost_of_packs:.2f} {money}. "
-            f"Electronics with one data logger cost {order.cost('electronics'):.2f} {money} more.",
+            f"you buy every bottle and metre whole, these cost {order.cost_of_packs:.2f} {money}. Electronics with one "
+            f"data logger cost {order.cost('electronics'):.2f} {money}, so everything costs "
+            f"{order.cost_of_everything:.2f} {money}. {BUY}/costs.csv has the sum.",
             "buy",
         ),
         (
@@ -123,7 +125,8 @@ def _printing(facts: Facts) -> Sequence[tuple[str, str, str]]:
         ),
         (
             "printer",
-            f"{facts.process.title}; build volume {' x '.join(f'{size:g}' for size in facts.process.build_volume)} mm.",
+            f"Any printer of this kind: {facts.process.title}; build volume at least "
+            f"{' x '.join(f'{size:g}' for size in facts.process.build_volume)} mm.",
             "step-1",
         ),
         (
@@ -167,8 +170,7 @@ def _casting(facts: Facts) -> Sequence[tuple[str, str, str]]:
         ("silicone", f"{name}, for {design.membrane.material}.", "step-4"),
         (
             "mixed",
-            "; ".join(f"{c.mixed:.2g} ml ({c.grams:.2g} g) a cast of {c.membrane}" for c in casts)
-            + ". Below 5 g mix 5 g, because a smaller cup cannot be weighed well.",
+            "; ".join(f"{c.batch_grams:.3g} g ({c.batch:.3g} ml) a cast of {c.membrane}" for c in casts) + ".",
             "step-4",
         ),
         (
@@ -183,12 +185,13 @@ def _casting(facts: Facts) -> Sequence[tuple[str, str, str]]:
         ("pot_life", f"{pot:g} min, then {cure:g} h at 23 degC.", "step-4"),
         (
             "mold",
-            "The face that will be glued points up, towards the lid. It is the widest face.",
+            f"The face that will be glued points up, towards the lid. You know it later: {glued_face_words(design)}.",
             "step-5",
         ),
         (
             "thickness",
             f"{', '.join(sorted({f'{design.of_kind(kind).membrane.thickness:g} mm' for kind in design.kinds}))}. "
+            "The depth of the cavities and the shims under the lid set it. "
             f"Write down what you measure: {BUILD}/record.toml.",
             "step-5",
         ),
@@ -212,7 +215,7 @@ def _building(facts: Facts) -> Sequence[tuple[str, str, str]]:
     glues = {joint: glue_of(bill, joint) for joint in ("tube", "membrane", "board")}
     names = {joint: "a glue that the catalogue lacks" if glue is None else glue.name for joint, glue in glues.items()}
     first, design = facts.signals[0], facts.model.design
-    line = design.lines[0]
+    line, touch = design.lines[0], electronics.first_touch
     board = names["board"] if design.microphone.gasket_width is None else "none: the board lies on its gasket"
     return (
         ("glue_membrane", names["membrane"] + ".", "step-8"),
@@ -226,8 +229,8 @@ def _building(facts: Facts) -> Sequence[tuple[str, str, str]]:
         ),
         (
             "leak",
-            f"Raise the gauge to {test.water:.0f} mm of water ({test.pressure:.0f} Pa). In {WATCHED:g} s it may fall "
-            f"by {test.largest_fall:.2g} mm at most.",
+            f"Raise the gauge to {test.water:.0f} mm of water ({test.pressure:.0f} Pa). In {WATCHED:g} s this "
+            f"height may fall by {test.fall} mm at most.",
             "step-9",
         ),
         ("bulge", f"{test.bulge:.2g} mm in the middle.", "step-9"),
@@ -237,7 +240,12 @@ def _building(facts: Facts) -> Sequence[tuple[str, str, str]]:
             "step-12",
         ),
         ("logger", _logger_words(electronics), f"step-{facts.recording_step}"),
-        ("overload", " ".join(electronics.levels.verdict), f"step-{facts.recording_step}"),
+        (
+            "overload",
+            " ".join(electronics.levels.verdict) + f" The first recording needs touches of {touch.seconds:g} s with "
+            f"{touch.force:.2g} N ({touch.grams:.2g} g) at most.",
+            f"step-{facts.recording_step}",
+        ),
         (
             "recording",
             f"For point 1, microphone {first.louder} is {first.difference:.1f} dB louder than "

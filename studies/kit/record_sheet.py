@@ -4,18 +4,28 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from acoustic_fem.calibration.manifest import REFERENCE
 from geometry.assembly.bill import Bill
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import save_design
 from geometry.ground.whole_files import write_text
+from studies.kit.electronics_files import Electronics
 
+#: Pressure of full scale where no logger states it, Pa.
+_UNKNOWN_SCALE = 20.0
 #: Names of the record, of the design beside it, and of the manifest of recordings.
 RECORD, DESIGN, MANIFEST = "record.toml", "design.toml", "calibration.toml"
 
 
-def write_record(design: ArrayDesign, bill: Bill, folder: Path) -> Path:
+def write_record(design: ArrayDesign, bill: Bill, electronics: Electronics, folder: Path) -> Path:
     """Write the empty record, the design, and a manifest for the recordings of the calibration into a folder that
     exists. Lines of the record that nobody has measured yet are comments.
+
+    Args:
+        design: the array.
+        bill: its bill of materials.
+        electronics: state the channels and the full scale of the recordings.
+        folder: exists.
 
     Returns:
         Path of the record.
@@ -23,13 +33,17 @@ def write_record(design: ArrayDesign, bill: Bill, folder: Path) -> Path:
     path = folder / RECORD
     write_text(path, record_text(design, bill))
     save_design(design.completed(), folder / DESIGN)
-    write_text(folder / MANIFEST, manifest_text(design))
+    write_text(folder / MANIFEST, manifest_text(design, electronics))
     return path
 
 
-def manifest_text(design: ArrayDesign) -> str:
-    """Text of a manifest for recordings of every point of a design."""
-    names = ("reference", *design.microphones)
+def manifest_text(design: ArrayDesign, electronics: Electronics) -> str:
+    """Text of a manifest for recordings of every point of a design, with the channels of its wiring."""
+    channels = {wire.microphone: wire.channel for wire in electronics.wires}
+    loggers = electronics.levels.loggers
+    scale, name = (loggers[0].full_scale, loggers[0].name) if loggers else (_UNKNOWN_SCALE, "recorder: not known")
+    pascals = dict.fromkeys(design.microphones, scale) | {REFERENCE: _UNKNOWN_SCALE}
+    notes = dict.fromkeys(design.microphones, name) | {REFERENCE: "not known: that of your microphone"}
     digits = len(str(design.point_count))
     lines = [
         f"# Recordings of one {design.name} for acoustic-fem calibrate: copy this file, {DESIGN} and the filled-in",
@@ -37,11 +51,13 @@ def manifest_text(design: ArrayDesign) -> str:
         f'design = "{DESIGN}"',
         f'record = "{RECORD}"',
         "",
-        "[channels]                     # of the WAV files, from 1; reference: the calibration microphone",
-        *(f"{name} = {number}" for number, name in enumerate(names, start=1)),
+        'output = "voltage"             # microphones as they are recorded, below their corner quieter',
         "",
-        "[pascals]                      # pressure of full scale, Pa: of your recorder and your microphones",
-        *(f"{name} = 20.0" for name in names),
+        "[channels]                     # of the WAV files, from 1, as wiring.csv; reference: calibration microphone",
+        *(f"{each} = {number}" for each, number in channels.items()),
+        "",
+        "[pascals]                      # pressure of full scale at 1 kHz, Pa",
+        *(f"{each} = {pascals[each]:.4g}".ljust(30) + f" # {notes[each]}" for each in channels),
         "",
         "[points]",
         *(f'{number} = "point-{number:0{digits}d}.wav"' for number in range(1, design.point_count + 1)),

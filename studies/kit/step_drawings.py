@@ -6,9 +6,11 @@ from collections.abc import Sequence
 from html import escape
 
 from geometry.design.array_design import ArrayDesign
+from geometry.ground.refusal import counted
+from geometry.molds import plan_mold
 from geometry.schema.part_fields import Tube
 from geometry.solids.membrane import membrane_profile
-from studies.kit.cutting_template import Strip
+from studies.kit.cutting_template import SPARE_PIECES, Strip
 from studies.kit.expected_signals import ExpectedSignal
 from studies.kit.leak_testing import LeakTest
 
@@ -63,7 +65,7 @@ class _Drawing:
 
 
 def membrane_drawing(design: ArrayDesign) -> str:
-    """Section of a membrane as it comes out of the mold, glued face downwards, with the places to measure."""
+    """Section of a membrane as it lies on its shell, glued face downwards, with the place to measure."""
     profile = membrane_profile(design)
     radius, top = max(r for r, _ in profile), max(z for _, z in profile)
     scale = min(430 / (2 * radius), 90 / top)
@@ -78,8 +80,16 @@ def membrane_drawing(design: ArrayDesign) -> str:
     drawing.line((middle, height - 32), (middle, height - 2), width=1.5)
     drawing.line((middle - 5, height - 10), (middle, height - 2), (middle + 5, height - 10), width=1.5)
     drawing.words(middle, height - 38, f"measure here: {thickness:g} mm by design", "middle")
-    drawing.words(middle, floor + 70, "glued face: the widest one; it lay at the top of the mold", "middle")
+    drawing.words(middle, floor + 70, f"glued face: {glued_face_words(design)}", "middle")
     return drawing.text
+
+
+def glued_face_words(design: ArrayDesign) -> str:
+    """Sign by which the glued face of a membrane is seen, because it is wider by too little to be seen."""
+    ejector = plan_mold(design).ejector
+    if ejector is None:
+        return "the one that lay towards the lid, at the top of the mold"
+    return f"the one without the {counted(len(ejector.spots), 'mark')} of the plugs; it lay towards the lid of the mold"
 
 
 def cutting_drawing(strips: Sequence[Strip]) -> str:
@@ -94,9 +104,10 @@ def cutting_drawing(strips: Sequence[Strip]) -> str:
         for x in (36.0, 186.0):
             drawing.line((x, y - 5), (x, y + 18), width=0.8)
         drawing.words(111, y + 27, f"{strip.length:g} mm", "middle")
-        drawing.words(
-            200, y + 11, f"{strip.count} x {strip.what}, {strip.diameter:g} mm outside, {strip.place}", size=12
-        )
+        pieces = f"{strip.count} + {SPARE_PIECES} spare x {strip.what}, {strip.diameter:g} mm outside"
+        drawing.words(200, y + 3, pieces, size=12)
+        rough = "" if strip.rough is None else f"cut {strip.rough:g} mm before shrinking; "
+        drawing.words(200, y + 19, f"{rough}{strip.place}", size=12)
     return drawing.text
 
 

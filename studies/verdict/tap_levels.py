@@ -6,6 +6,7 @@ import math
 import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import TypeVar
 
 import numpy as np
@@ -86,7 +87,7 @@ def tap_levels(designs: Sequence[ArrayDesign], known: KnownDiscs | None = None) 
     return _of_each(designs, FREQUENCIES, _levels, known)
 
 
-def loudest_taps(designs: Sequence[ArrayDesign], known: KnownDiscs | None = None) -> list[Array]:
+def loudest_taps(designs: Sequence[ArrayDesign], known: KnownDiscs | None = None, seconds: float = TAP) -> list[Array]:
     """Largest output of each microphone while the tap of :func:`tap_levels` is on each point, in closed forms.
 
     :func:`localize.contacts.loudest_outputs` does so in time, with membranes that stiffen under large presses.
@@ -94,11 +95,12 @@ def loudest_taps(designs: Sequence[ArrayDesign], known: KnownDiscs | None = None
     Args:
         designs: the arrays.
         known: membranes that need not be solved.
+        seconds: length of the tap, s; a longer one is a press, which the high-pass of the microphone weakens.
 
     Returns:
         (n_point, n_microphone) float64 for each design, Pa at 1 kHz, to be compared with ``microphone.overload``.
     """
-    return _of_each(designs, _TAP_GRID, _loudest, known)
+    return _of_each(designs, _TAP_GRID * TAP / seconds, partial(_loudest, seconds=seconds), known)
 
 
 def _of_each(
@@ -170,17 +172,17 @@ def _levels(responses: Responses) -> list[TapLevels]:
     return [TapLevels(*each) for each in zip(snr, loss[..., at], apart.min(axis=1), pairs, strict=True)]
 
 
-def _loudest(responses: Responses) -> list[Array]:
+def _loudest(responses: Responses, seconds: float) -> list[Array]:
     designs, grid = required(responses.designs), responses.frequency
     force = np.stack([covered_forces(design) for design in designs])
     outputs = np.stack([output_response(design.microphone, grid, design_air(design)) for design in designs])
     received = touch_response(responses, "force") * force[:, :, None, None] * outputs[:, None, None]
-    phases = np.exp(2j * np.pi * grid[:, None] * _AROUND_TAP)
-    course = 2 * (grid[1] - grid[0]) * ((received * _tap_spectrum(grid)) @ phases).real
+    phases = np.exp(2j * np.pi * grid[:, None] * _AROUND_TAP * seconds / TAP)
+    course = 2 * (grid[1] - grid[0]) * ((received * _tap_spectrum(grid, seconds)) @ phases).real
     return list(np.abs(course).max(axis=-1))
 
 
-def _tap_spectrum(grid: Array) -> Array:
+def _tap_spectrum(grid: Array, seconds: float = TAP) -> Array:
     """Spectrum of sin^2(pi t / T) about its middle, (n_freq,) float64, s: T / 2 sinc(f T) / (1 - (f T)^2)."""
-    cycles = grid * TAP
-    return np.asarray(TAP / 2 * np.sinc(cycles) / np.where(np.abs(cycles - 1) < 1e-9, np.inf, 1 - cycles**2))
+    cycles = grid * seconds
+    return np.asarray(seconds / 2 * np.sinc(cycles) / np.where(np.abs(cycles - 1) < 1e-9, np.inf, 1 - cycles**2))

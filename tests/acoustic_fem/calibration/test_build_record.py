@@ -18,7 +18,9 @@ from acoustic_fem.membrane import design_disc
 from acoustic_fem.scatter.tolerances import ScatteredDesign
 from acoustic_fem.sound.estimate import TransferEstimate
 from geometry.assembly import Bill
+from geometry.assembly.model import array_model
 from geometry.ground.refusal import Kind
+from studies.kit.electronics_files import Electronics, electronics_of
 from studies.kit.record_sheet import MANIFEST, RECORD, write_record
 from studies.test_rig.priors import fit_priors, known_parts
 
@@ -32,13 +34,20 @@ def bill() -> Bill:
     return geometry.assembly.bill_of_materials(DESIGN)
 
 
+@pytest.fixture(scope="module")
+def electronics() -> Electronics:
+    return electronics_of(array_model(DESIGN))
+
+
 def record_of(folder: Path, text: str) -> BuildRecord:
     (folder / RECORD).write_text(f'design = "array-2x6"\n{text}', encoding="utf-8")
     return read_record(folder / RECORD, DESIGN)
 
 
-def test_the_empty_record_of_a_kit_is_valid_and_says_nothing(bill: Bill, tmp_path: Path) -> None:
-    write_record(DESIGN, bill, tmp_path)
+def test_the_empty_record_of_a_kit_is_valid_and_says_nothing(
+    bill: Bill, electronics: Electronics, tmp_path: Path
+) -> None:
+    write_record(DESIGN, bill, electronics, tmp_path)
     manifest = read_manifest(tmp_path / MANIFEST)
     assert manifest.design.name == "array-2x6"
     assert sorted(manifest.points) == list(range(1, 13))
@@ -50,8 +59,8 @@ def test_the_empty_record_of_a_kit_is_valid_and_says_nothing(bill: Bill, tmp_pat
     ]
 
 
-def test_a_filled_in_record_is_read(bill: Bill, tmp_path: Path) -> None:
-    path = write_record(DESIGN, bill, tmp_path)
+def test_a_filled_in_record_is_read(bill: Bill, electronics: Electronics, tmp_path: Path) -> None:
+    path = write_record(DESIGN, bill, electronics, tmp_path)
     text = path.read_text(encoding="utf-8").replace("# 3 = 0.5", "3 = 0.47").replace("# modulus = ", "modulus = ")
     path.write_text(text, encoding="utf-8")
     record = read_record(path, DESIGN)

@@ -175,5 +175,5 @@ def test_the_files_hold_the_same_bill(bill, tmp_path):
     assert {row["price_source"] for row in read["items"]} == {row["price source"] for row in rows} == {"assumed"}
     assert [row["part number"] for row in rows] == [item["part_number"] for item in read["items"]]
     assert [item["count"] for item in read["items"]] == [item.count for item in bill.items]
-    assert text.read_text(encoding="utf-8").count("\n") == len(bill.items) + 5
+    assert text.read_text(encoding="utf-8").count("\n") == len(bill.items) + 6  # title, heads, what is lost, sum
     assert sorted(path.name for path in (tmp_path / "new").iterdir()) == ["bill.csv", "bill.json", "bill.txt"]

@@ -11,11 +11,15 @@ from pathlib import Path
 import pytest
 
 import geometry
+from acoustic_fem.calibration import read_manifest
+from geometry.assembly.bill import bill_of_materials
 from geometry.assembly.model import ArrayModel, array_model
 from geometry.stock import Logger, StockMicrophone, catalogue
-from studies.kit.electronics_files import electronics_of, write_electronics
+from studies.kit.electronics_files import electronics_of, recorded_options, write_electronics
+from studies.kit.expected_signals import microphone_loss
 from studies.kit.logger_levels import FIRM_TAP, ExpectedLevels, expected_levels
 from studies.kit.microphone_wiring import coupling_capacitor, head_clashes, wiring_of
+from studies.kit.record_sheet import write_record
 from studies.verdict.tap_levels import loudest_taps
 
 
@@ -128,15 +132,58 @@ def test_the_files_say_where_each_wire_goes_and_each_level(model: ArrayModel, tm
     rows = list(csv.DictReader((tmp_path / "5-build" / "levels.csv").open(encoding="utf-8")))
     assert len(rows) == 12 * len(electronics.levels.loggers)
     row = rows[0]
-    assert float(row["0.1 N (mV)"]) == pytest.approx(float(row["0.1 N (Pa)"]) * 12.589, rel=1e-3)
+    clipped = 28.3 * 12.589
+    for row in rows:
+        for force in ("0.1 N", "1 N"):
+            pressure, volts = float(row[f"{force} (Pa)"]), float(row[f"{force} (mV)"])
+            assert volts == pytest.approx(min(pressure * 12.589, clipped), rel=1e-3)
+            assert (row[f"{force} clipped"] == "yes") == (pressure > 28.3)
+            assert float(row[f"{force} (dBFS)"]) < 0
+        assert float(row["largest tap (N)"]) == pytest.approx(0.1 * 28.3 / float(row["0.1 N (Pa)"]), rel=0.05)
+    row = rows[0]
     headroom = 20 * math.log10(28.3 / float(row["0.1 N (Pa)"]))
     assert float(row["headroom to overload (dB)"]) == pytest.approx(headroom, abs=0.1)
     wires = list(csv.DictReader((tmp_path / "5-build" / "wiring.csv").open(encoding="utf-8")))
-    assert len(wires) == 6
+    assert len(wires) == 7
+    assert (wires[-1]["microphone"], wires[-1]["channel"], wires[-1]["pin of the board"]) == ("reference", "3", "")
     sheet = (tmp_path / "5-build" / "wiring.txt").read_text(encoding="utf-8")
     assert "AIN0" in sheet
     assert "clipped from 28.3 Pa" in " ".join(sheet.split())
     assert max(map(len, sheet.splitlines())) <= 110
+
+
+def test_the_manifest_has_the_channels_of_the_wiring_and_the_full_scale_of_the_logger(
+    model: ArrayModel, tmp_path: Path
+) -> None:
+    electronics = electronics_of(model)
+    write_electronics(electronics, tmp_path)
+    write_record(model.design, bill_of_materials(model.design, model.parts, model.layout), electronics, tmp_path)
+    manifest = read_manifest(tmp_path / "calibration.toml")
+    wires = csv.DictReader((tmp_path / "5-build" / "wiring.csv").open(encoding="utf-8"))
+    assert {wire["microphone"]: int(wire["channel"]) for wire in wires} == dict(manifest.channels)
+    assert manifest.output == "voltage"  # nobody equalises what a logger records
+    scale = electronics.levels.loggers[0].full_scale
+    assert [manifest.pascals[name] for name in "AB"] == pytest.approx([scale, scale], rel=1e-3)
+    options = recorded_options(electronics).split()
+    assert float(options[options.index("--full-scale") + 1]) == pytest.approx(scale, rel=1e-3)
+
+
+def test_slow_touches_may_be_harder_before_they_are_clipped(model: ArrayModel) -> None:
+    electronics = electronics_of(model)
+    forces = [touch.force for touch in electronics.gentle]
+    assert forces == sorted(forces)
+    assert forces[0] == pytest.approx(electronics.levels.largest_force)
+    # A press of half a second is far below the corner of 20 Hz. It is loudest where its force changes fastest, by
+    # pi / T, so the microphone gives pi / T / (2 pi 20 Hz) of its pressure.
+    tap, press = electronics.gentle[0], electronics.gentle[-1]
+    pressure = electronics.levels.overload / press.force * (2 * 20 * press.seconds)
+    nominal = electronics.levels.overload / tap.force
+    assert pressure == pytest.approx(nominal, rel=0.3)
+    assert electronics.levels.survived_force > electronics.first_touch.force
+
+
+def test_the_output_at_10_hz_has_the_high_pass_of_the_microphone(model: ArrayModel) -> None:
+    assert microphone_loss(model.design) == pytest.approx(-10 * math.log10(1 + (20 / 10) ** 2), abs=0.2)
 
 
 def test_an_unknown_microphone_has_a_wiring_sheet_that_says_why_there_is_no_board(tmp_path: Path) -> None:

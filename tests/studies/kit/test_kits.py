@@ -40,7 +40,7 @@ INSIDE = {"A4": (210 - 26, 297 - 28), "Letter": (215.9 - 26, 279.4 - 28)}
 PIXELS = 96 / 25.4
 #: Files of every kit.
 FILES = {
-    BUY: ("order-list.csv", "work-hours.csv", "bill.csv", "bill.json", "bill.txt"),
+    BUY: ("order-list.csv", "costs.csv", "work-hours.csv", "bill.csv", "bill.json", "bill.txt"),
     PRINT: ("plate-1-molds.3mf", "print-report.html", "print-report.json", "parts/mold-base.stl"),
     CAST: ("mold-section.png", "mold-open.png", "casting.txt", "casting.csv", "reference/membrane.stl"),
     CUT: ("cutting-list.csv", "cutting-template.dxf", "cutting-template-a4.pdf", "cutting-template-letter.pdf"),
@@ -89,7 +89,8 @@ def test_the_folder_has_the_five_jobs_and_all_their_files(kit: studies.MadeParts
     plates = [path.stem for path in (kit.folder / PRINT).glob("plate-*.3mf")]
     assert any(not stem.endswith("-molds") for stem in plates)  # of large molds there are two plates
     first = (kit.folder / "READ-ME-FIRST.txt").read_text(encoding="utf-8")
-    assert [line.split()[0] for line in first.splitlines()[4:]] == list(JOBS)
+    assert [line.split()[0] for line in first.splitlines()[4:9]] == list(JOBS)
+    assert "acoustic-fem solve 5-build/design.toml" in first
     listed = (kit.folder / "files.txt").read_text(encoding="utf-8").split()
     written = {path.relative_to(kit.folder).as_posix() for path in kit.folder.rglob("*") if path.is_file()}
     assert set(listed) == written
@@ -110,7 +111,12 @@ def test_the_plates_hold_every_printed_part_as_often_as_it_is_needed(kit: studie
             assert name is not None
             counts[name[1]] = counts.get(name[1], 0) + 1
     needed = {file.part: file.count for file in kit.files if file.path.parts[-3] == PRINT and file.count}
-    assert counts == {name: count for name, count in needed.items() if name not in kit.too_large}
+    spare = {name: counts[name] - count for name, count in needed.items() if name not in kit.too_large}
+    assert set(counts) == set(spare)
+    assert all(number >= 0 for number in spare.values())
+    assert not any(number for name, number in spare.items() if name.startswith("mold-"))
+    page = kit.manual.read_text(encoding="utf-8")
+    assert all(f"{number} x {name}" in page for name, number in spare.items() if number)
 
 
 def test_the_manual_opens_offline_and_its_links_lead_somewhere(kit: studies.MadeParts) -> None:
@@ -125,7 +131,7 @@ def test_the_manual_opens_offline_and_its_links_lead_somewhere(kit: studies.Made
     for number, text in steps:
         assert text.count("<figure>") == 1, number  # one picture a step
         assert 'type="checkbox"' in text
-        assert "Tools:" in text
+        assert "Tools and materials:" in text
     for picture in re.findall(r"data:image/png;base64,([A-Za-z0-9+/=]+)", page):
         image = Image.open(BytesIO(base64.b64decode(picture)))
         assert np.asarray(image.convert("L")).std() > 5  # something is drawn
@@ -154,6 +160,7 @@ def test_the_folder_answers_the_questions_of_a_maker(kit: studies.MadeParts) -> 
     mixed = [float(value) for value in re.findall(r"([\d.e-]+) ml", answers["How much silicone do I mix?"])]
     numbers = [int(value) for value in re.findall(r"(\d+) of membrane", casts)]
     poured = sum(a * b for a, b in zip(mixed, numbers, strict=True))
+    assert "5 g" in answers["How much silicone do I mix?"] or min(mixed) > 4
     assert poured >= 0.9 * volume  # cavities in excess of the points are poured too
     assert "glued points up" in answers["Which way up does the membrane lie in the mold?"]
     assert design.microphone.model.upper() in answers["Where does pin 2 go?"].upper()
@@ -179,6 +186,9 @@ def test_the_silicone_of_a_cast_adds_up(kit: studies.MadeParts) -> None:
         kept = int(row["needed"]) * own / (int(row["casts"]) * mixed)
         assert float(row["wasted"]) == pytest.approx(1 - kept, abs=1e-3)
         assert f"{float(row['mixed_ml']):.3g} ml" in words
+        assert f"Mix {float(row['batch_g']):.3g} g ({float(row['batch_ml']):.3g} ml)" in words
+        assert float(row["batch_g"]) >= float(row["mixed_g"])
+        assert int(row["spare"]) == int(row["casts"]) * int(row["cavities"]) - int(row["needed"])
         assert f"{float(row['opening_force_n']):.0f} N at most" in page
 
 

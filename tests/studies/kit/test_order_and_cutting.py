@@ -19,9 +19,20 @@ from geometry.assembly.model import ArrayModel, array_model
 from geometry.ground.refusal import Kind
 from geometry.layout import cutting_list, lay_out
 from geometry.schema.print_processes import process_of
+from geometry.stock import Sheath
 from studies.kit import Spares
-from studies.kit.cutting_template import LONGEST, PAGES, SCALE_BAR, template_strips, write_cutting
-from studies.kit.ordering import OrderList, order_list
+from studies.kit.build_facts import casts_of
+from studies.kit.cutting_template import (
+    LONGEST,
+    PAGES,
+    SCALE_BAR,
+    SLEEVE_SHORTENS,
+    SPARE_PIECES,
+    template_strips,
+    write_cutting,
+)
+from studies.kit.ordering import UNGLUED, OrderList, order_list
+from studies.kit.step_tools import HAVE_READY, tools_of
 from studies.kit.work_hours import work_of
 
 
@@ -34,7 +45,7 @@ def model() -> ArrayModel:
 def order(model: ArrayModel) -> OrderList:
     process = process_of(model.design.printing)
     bill = bill_of_materials(model.design, model.parts, model.layout)
-    return order_list(model.design, bill, work_of(model, 2, process, 6.0), process)
+    return order_list(model.design, bill, work_of(model, 2, process, 6.0, 5.0), process, casts_of(model, bill))
 
 
 def test_the_order_has_the_bill_with_spares_and_what_the_bill_leaves_out(order: OrderList) -> None:
@@ -44,8 +55,10 @@ def test_the_order_has_the_bill_with_spares_and_what_the_bill_leaves_out(order: 
     microphones = by_item["SPH1878LR5H-C"]
     assert (microphones.needed, microphones.spare, microphones.ordered) == (2, 1, 3)
     assert by_item["mold-base"].spare == 0  # a mold is made once
-    membrane = next(item for item in order.bill.items if item.item == "membrane")
-    assert by_item["membrane"].spare == pytest.approx(2 * membrane.quantity / 12)  # a tenth of twelve, rounded up
+    shell = next(item for item in order.bill.items if item.item == "shell-corner-90")
+    assert by_item[shell.item].spare == pytest.approx(shell.quantity / 2)  # a tenth of two, rounded up
+    # The mold has a cavity for each point and none for spares, so two cups of 5 g are mixed; 1120 kg/m^3.
+    assert (by_item["membrane"].needed, by_item["membrane"].spare) == pytest.approx((5 / 1.12, 5 / 1.12))
     assert {line.purpose for line in order.lines} == {"array", "molds", "electronics", "consumable", "tool"}
     counted = [line for line in order.lines if line.part and line.purpose != "electronics"]
     assert order.cost() == pytest.approx(math.fsum(line.ordered * line.part.price for line in counted if line.part))
@@ -56,6 +69,68 @@ def test_the_order_has_the_bill_with_spares_and_what_the_bill_leaves_out(order: 
     rows = list(csv.DictReader(order.to_csv().splitlines()))
     listed = order.cost() + order.cost("electronics")
     assert math.fsum(float(row["cost"]) for row in rows) == pytest.approx(listed, abs=0.01 * len(rows))
+
+
+def test_the_sums_of_the_costs_are_those_of_their_rows(order: OrderList) -> None:
+    rows = [list(row.values()) for row in csv.DictReader(order.costs_csv().splitlines())]
+    names = [row[0] for row in rows]
+    cost = {name: float(row[-1]) for name, row in zip(names, rows, strict=True)}
+    for row in rows:
+        if row[2]:
+            assert float(row[-1]) == pytest.approx(float(row[2]) * float(row[4]), abs=0.006)
+            assert float(row[2]) >= float(row[1])  # whole packs hold what is needed
+    first, second = names.index("sum of whole packs"), names.index("sum of electronics")
+    packs, electronics = rows[:first], rows[first + 1 : second]
+    assert math.fsum(float(row[-1]) for row in packs) == pytest.approx(order.cost_of_packs, abs=0.005 * len(packs))
+    summed = math.fsum(float(row[-1]) for row in electronics)
+    assert summed == pytest.approx(cost["sum of electronics"], abs=0.005 * len(electronics))
+    assert cost["everything"] == pytest.approx(cost["sum of whole packs"] + cost["sum of electronics"], abs=0.011)
+
+
+def test_each_step_names_only_things_that_are_ordered_or_stated_as_ready(order: OrderList) -> None:
+    listed = {line.item for line in order.lines if line.ordered}
+    steps = tools_of(order)
+    assert list(steps) == list(range(1, 15))
+    for step, tools in steps.items():
+        for tool in tools.split(", "):
+            assert tool in listed or tool in HAVE_READY, f"step {step}: {tool}"
+    assert "primer" in steps[10]  # cyanoacrylate does not hold polyethylene
+    used = {tool for tools in steps.values() for tool in tools.split(", ")}
+    assert set(HAVE_READY) <= used
+    bought = {line.item for line in order.lines if line.purpose in ("tool", "consumable") and line.ordered}
+    assert bought <= used
+
+
+def test_a_tubing_that_needs_no_primer_orders_none() -> None:
+    design = geometry.prototype("line-2").with_values({"lines.0.points": 2, "tube.bore": "smooth"})
+    design = design.with_values({"microphone_tube.bore": "smooth"})
+    drawn = array_model(design)
+    bill = bill_of_materials(design, drawn.parts, drawn.layout)
+    process = process_of(design.printing)
+    order = order_list(design, bill, work_of(drawn, 2, process, 6.0, 5.0), process, casts_of(drawn, bill))
+    material = next(item.part for item in bill.items if item.item.startswith("sheath"))
+    assert isinstance(material, Sheath)
+    assert ("primer" in {line.item for line in order.lines}) == (material.material in UNGLUED)
+
+
+def test_the_order_has_the_length_of_all_pieces_and_their_spares(order: OrderList, model: ArrayModel) -> None:
+    strips = template_strips(model.design, model.layout)
+    for what in ("spring", "sheath"):
+        (line,) = [line for line in order.lines if line.item.startswith(what)]  # one row of one part
+        cut = sum(
+            (strip.count + SPARE_PIECES) * ((strip.rough or strip.length) + 0.5)
+            for strip in strips
+            if strip.what == what
+        )
+        assert line.ordered * 1000 >= cut
+        assert line.needed * 1000 == pytest.approx(
+            sum(strip.count * ((strip.rough or strip.length) + 0.5) for strip in strips if strip.what == what)
+        )
+    sheath = next(strip for strip in strips if strip.what == "sheath")
+    assert sheath.rough is not None
+    assert sheath.rough * (1 - SLEEVE_SHORTENS) >= sheath.length  # enough is left to trim
+    assert all(strip.rough is None for strip in strips if strip.what == "spring")
+    assert all(len(strip.boxes) == strip.count + SPARE_PIECES for strip in strips)
 
 
 def test_hours_are_pieces_by_minutes(order: OrderList, model: ArrayModel) -> None:

@@ -1,0 +1,63 @@
+"""Words on how to hold an array while it is glued, computed from where its parts stand."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from geometry.assembly.model import ArrayModel
+from geometry.ground.typed import Array
+
+#: Height below which parts stand on one plane, mm: what a strip of tape levels.
+_LEVEL = 0.02
+
+
+def shim_height(model: ArrayModel) -> float:
+    """Height of the lowest face of the housings above that of the shells, mm."""
+    return _lowest(model, "housing") - _lowest(model, "shell")
+
+
+def holding_words(model: ArrayModel) -> str:
+    """How to hold the shells and housings of an array while its tubes are glued; empty with a base plate or carrier."""
+    design = model.design
+    kinds = {part.kind for part in model.placed}
+    if design.base.kind != "none" or "shell" not in kinds or design.layout.frozen is not None:
+        return ""
+    tilts = [abs(part.axes[2][2]) for part in model.placed if part.kind in ("shell", "housing")]
+    if min(tilts) < 1 - 1e-6:
+        return ""
+    shells = np.array([part.position[:2] for part in model.placed if part.kind == "shell"])
+    apart = _closest(shells)
+    steps = ["Stick double-sided tape onto a flat plate and stand each part on it as you glue it, membranes up."]
+    height = shim_height(model)
+    if abs(height) > _LEVEL:
+        lower, upper = ("shells", "housings") if height > 0 else ("housings", "shells")
+        steps.append(
+            f"The bottoms of the {upper} are {abs(height):.2f} mm higher than those of the {lower}: lay paper or foil "
+            f"of {abs(height):.2f} mm under the {upper}, so that the tubes at the ends stay straight."
+        )
+    if apart:
+        steps.append(
+            f"Tubes that are pushed in up to their lips set the distance: the axes of neighbours are {apart:.4g} mm "
+            "apart, and assembly.csv has the place of each part."
+        )
+    steps.append(
+        'The program also draws a base plate with a seat for each part: write [base] kind = "plate" into design.toml '
+        "and run acoustic-fem parts design.toml."
+    )
+    return " ".join(steps)
+
+
+def _closest(places: Array) -> float | None:
+    if len(places) < 2:
+        return None
+    distances = np.linalg.norm(places[:, None] - places[None], axis=-1)
+    return float(distances[np.triu_indices(len(places), 1)].min())
+
+
+def _lowest(model: ArrayModel, kind: str) -> float:
+    """Height of the lowest face of all parts of a kind, mm."""
+    return min(
+        part.position[2] + float(model.shapes[part.part].BoundingBox().zmin)
+        for part in model.placed
+        if part.kind == kind
+    )
