@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 from geometry.assembly.model import ArrayModel
-from geometry.ground.typed import Array
 
 #: Height below which parts stand on one plane, mm: what a strip of tape levels.
 _LEVEL = 0.02
@@ -25,8 +24,7 @@ def holding_words(model: ArrayModel) -> str:
     tilts = [abs(part.axes[2][2]) for part in model.placed if part.kind in ("shell", "housing")]
     if min(tilts) < 1 - 1e-6:
         return ""
-    shells = np.array([part.position[:2] for part in model.placed if part.kind == "shell"])
-    apart = _closest(shells)
+    apart = _distances(model)
     steps = ["Stick double-sided tape onto a flat plate and stand each part on it as you glue it, membranes up."]
     height = shim_height(model)
     if abs(height) > _LEVEL:
@@ -35,11 +33,10 @@ def holding_words(model: ArrayModel) -> str:
             f"The bottoms of the {upper} are {abs(height):.2f} mm higher than those of the {lower}: lay paper or foil "
             f"of {abs(height):.2f} mm under the {upper}, so that the tubes at the ends stay straight."
         )
-    if apart:
-        steps.append(
-            f"Tubes that are pushed in up to their lips set the distance: the axes of neighbours are {apart:.4g} mm "
-            "apart, and assembly.csv has the place of each part."
-        )
+    where = "assembly.csv has the place of each part."
+    if apart and max(apart) - min(apart) < _LEVEL:
+        where = f"the axes of neighbours on a line are {apart[0]:.4g} mm apart, and {where}"
+    steps.append(f"Tubes that are pushed in up to their lips set the distance: {where}")
     steps.append(
         'The program also draws a base plate with a seat for each part: write [base] kind = "plate" into design.toml '
         "and run acoustic-fem parts design.toml."
@@ -47,11 +44,18 @@ def holding_words(model: ArrayModel) -> str:
     return " ".join(steps)
 
 
-def _closest(places: Array) -> float | None:
-    if len(places) < 2:
-        return None
-    distances = np.linalg.norm(places[:, None] - places[None], axis=-1)
-    return float(distances[np.triu_indices(len(places), 1)].min())
+def _distances(model: ArrayModel) -> list[float]:
+    """Distances of consecutive points of each line, mm."""
+    places = {part.group: np.array(part.position) for part in model.placed if part.kind == "shell"}
+    found, first = [], 1
+    for line in model.design.lines:
+        last = first + line.points
+        found += [
+            float(np.linalg.norm(places[f"point {number}"] - places[f"point {number + 1}"]))
+            for number in range(first, last - 1)
+        ]
+        first = last
+    return found
 
 
 def _lowest(model: ArrayModel, kind: str) -> float:

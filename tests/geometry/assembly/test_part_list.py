@@ -263,6 +263,22 @@ def test_a_carrier_takes_the_place_of_its_shells_on_plates_and_lists(tmp_path):
     assert not [name for plate in laid.plates for name in plate.copies if name.startswith("shell")]
 
 
+def test_spares_lie_on_the_plates_as_far_as_they_take_no_further_one(parts, tmp_path):
+    shapes = tessellate_distinct(parts.only("shell-straight", "shell-corner-90"))
+    shells = parts.only("shell-straight", "shell-corner-90")
+    wanted = {"shell-straight": 3, "shell-corner-90": 1}
+    laid = export_plates(shells, tmp_path, PROCESSES["sla-resin"], shapes, wanted)
+    (plate,) = laid.plates
+    assert laid.spares == wanted
+    assert plate.copies == {name: shells.counts[name] + wanted[name] for name in wanted}
+    full = with_rules(PROCESSES["sla-resin"], {"build_volume": (75, 75, 50)})
+    most = export_plates(shells, tmp_path, full, shapes, {"shell-straight": 500})
+    assert len(most.plates) == len(export_plates(shells, tmp_path, full, shapes).plates)
+    assert 0 < most.spares["shell-straight"] < 500
+    one_more = {"shell-straight": most.spares["shell-straight"] + 1}
+    assert export_plates(shells, tmp_path, full, shapes, one_more).spares == most.spares
+
+
 @pytest.mark.slow
 def test_a_part_is_drawn_again_from_the_design_that_the_parts_hold(array, parts):
     changed = array.with_values({"resonator.shape": "box", "shell.feet": 2, "membrane.rim_width": 1.2, "mold.rows": 2})
