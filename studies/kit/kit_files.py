@@ -209,7 +209,7 @@ def _first_words(name: str, has_body: bool) -> str:
         "",
         f"Recording and calibrating need acoustic-fem {version('acoustic-fem')}, which wrote this kit, on a computer",
         "with Python 3.11 or newer. Install it from its source: in the folder with its pyproject.toml type",
-        "pip install '.[plots,live]'. Then make the library of the sensor, which every recording is compared with:",
+        "pip install '.[fem,live]'. Then make the library of the sensor, which every recording is compared with:",
         f"acoustic-fem solve {BUILD}/design.toml --out library.nc",
     ]
     if has_body:
