@@ -43,7 +43,7 @@ class StrokeSpectra:
     up_slope: Array
     """Derivative of the edge of the rise by the logarithm of its length, (..., n_freq) float64."""
     down_slope: Array
-    """The same of the fall."""
+    """The same of the fall, (..., n_freq) float64."""
     times: Array
     """Rise, hold, fall and smoothing of each stroke, (..., 4) float64, s."""
 
