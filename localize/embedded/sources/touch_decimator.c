@@ -15,9 +15,19 @@ static float output(const int16_t *history)
     return s0 + s1;
 }
 
+/* Blocks and the rest are counted apart: instants of 16 kHz would begin again at 0 in the middle of the third day. */
+static void pass(touch_decimator *decimator, uint32_t count)
+{
+    decimator->number += count / TOUCH_FIR_FACTOR;
+    decimator->place += count % TOUCH_FIR_FACTOR;
+    if (decimator->place < TOUCH_FIR_FACTOR) return;
+    decimator->place -= TOUCH_FIR_FACTOR;
+    decimator->number++;
+}
+
 int touch_decimator_take(touch_decimator *decimator, const int16_t *samples, float *out)
 {
-    const uint32_t place = decimator->number % TOUCH_FIR_FACTOR;
+    const uint32_t place = decimator->place;
     if (place == 0)
         for (int m = 0; m < TOUCH_MICROPHONES; m++) {
             int16_t *history = decimator->history[m];
@@ -25,7 +35,7 @@ int touch_decimator_take(touch_decimator *decimator, const int16_t *samples, flo
         }
     for (int m = 0; m < TOUCH_MICROPHONES; m++)
         decimator->history[m][TOUCH_FIR_TAPS - TOUCH_FIR_FACTOR + place] = samples[m];
-    decimator->number++;
+    pass(decimator, 1);
     if (decimator->held < TOUCH_FIR_TAPS) decimator->held++;
     if (place != TOUCH_FIR_FACTOR - 1 || decimator->held < TOUCH_FIR_TAPS) return 0;
     for (int m = 0; m < TOUCH_MICROPHONES; m++) out[m] = output(decimator->history[m]);
@@ -34,6 +44,6 @@ int touch_decimator_take(touch_decimator *decimator, const int16_t *samples, flo
 
 void touch_decimator_skip(touch_decimator *decimator, uint32_t count)
 {
-    decimator->number += count;
+    pass(decimator, count);
     decimator->held = 0;
 }

@@ -137,7 +137,7 @@ void touch_firmware_step(void)
         for (uint32_t k = 0; k < count; k++) {
             float pressures[TOUCH_MICROPHONES];
             if (touch_decimator_take(&decimator, samples + k * TOUCH_MICROPHONES, pressures))
-                take(pressures, decimator.number / TOUCH_FIR_FACTOR - 1);
+                take(pressures, decimator.number - 1);
         }
     const uint32_t missing = touch_ring_lost(&ring);
     if (missing > 0) touch_decimator_skip(&decimator, missing);

@@ -106,6 +106,46 @@ def test_the_low_pass_is_as_flat_and_as_steep_as_it_is_said_to_be():
     assert decimator_response(np.linspace(612, 8000, 5000)).max() < -70
 
 
+COUNTING = """
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include "hand_decimator.h"
+/* Blocks done before, then instants to skip after the first 40 blocks: the numbers of all outputs that follow. */
+int main(int count, char **given)
+{
+    static hand_decimator decimator;
+    const int16_t samples[HAND_MICROPHONES] = {0};
+    float out[HAND_MICROPHONES];
+    (void)count;
+    decimator.number = (uint32_t)strtoul(given[1], NULL, 10);
+    for (int part = 0; part < 2; part++) {
+        for (int k = 0; k < 40 * HAND_FIR_FACTOR; k++)
+            if (hand_decimator_take(&decimator, samples, out)) printf("%" PRIu32 "\\n", decimator.number - 1);
+        if (part == 0) hand_decimator_skip(&decimator, (uint32_t)strtoul(given[2], NULL, 10));
+    }
+    return 0;
+}
+"""
+
+
+@pytest.mark.parametrize("first", [2**28 - 20, 2**32 - 20])
+@pytest.mark.parametrize("lost", [7, 16 * 1000 + 9])
+def test_numbers_of_samples_go_on_after_three_days_and_after_forty_nine(folder, first, lost):
+    """16 kHz times 2^-32 is 75 hours, in which a count of instants would begin again."""
+    (folder / "counting.c").write_text(COUNTING, encoding="utf-8")
+    command = [str(COMPILER), *STRICT, "counting.c", "hand_decimator.c", "-o", "counting"]
+    made = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    assert made.returncode == 0, made.stderr
+    told = subprocess.run([folder / "counting", str(first), str(lost)], capture_output=True, text=True, check=True)
+    numbers = np.array(told.stdout.split(), np.int64)
+    known = (FIR_TAPS + FACTOR - 1) // FACTOR - 1  # blocks until the low-pass knows all of its instants
+    before = first + np.arange(known, 40)
+    newest = 40 * FACTOR + lost + np.arange(40 * FACTOR)  # instants behind the gap
+    ends = newest[(newest % FACTOR == FACTOR - 1) & (np.arange(40 * FACTOR) >= FIR_TAPS - 1)]
+    assert numbers.tolist() == (np.concatenate([before, first + ends // FACTOR]) % 2**32).tolist()
+
+
 @pytest.fixture
 def patient(monkeypatch):
     """All samples wait until they are taken: the emulator is faster than time."""
