@@ -54,6 +54,8 @@ class BoardListener:
         """(n_microphone, 1) zeros: a board that sends touches sends no samples."""
         self._time = 0.0
         self._new_run()
+        # What was lost among the frames that the line was opened with is told too.
+        self._lost_frames = 0
         try:
             for frame in line.first:
                 self._check(frame)
