@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from typing import TypeAlias
 
 import numpy as np
@@ -70,8 +71,11 @@ def frequencies(frequency: FrequencyLike) -> Array:
     Raises:
         Refusal: not real numbers, not finite or not above 0; a text of another form; a list that cannot be read.
     """
-    given = _stated(frequency) if isinstance(frequency, str) else frequency
-    return positive_numbers("frequency", given, "Hz")
+    if not isinstance(frequency, str):
+        return positive_numbers("frequency", frequency, "Hz")
+    stated = _stated(frequency)
+    with _named(frequency):
+        return positive_numbers("frequency", stated, "Hz")
 
 
 def frequency_grid(frequency: FrequencyLike) -> Array:
@@ -87,7 +91,26 @@ def frequency_grid(frequency: FrequencyLike) -> Array:
         Refusal: not real numbers, empty, not 1-D, not ascending, not finite or out of range, with the value; a text of
             another form; a list that cannot be read.
     """
-    grid = _stated(frequency) if isinstance(frequency, str) else real_numbers("frequency", frequency)
+    if not isinstance(frequency, str):
+        return _ascending(real_numbers("frequency", frequency))
+    stated = _stated(frequency)
+    with _named(frequency):
+        return _ascending(stated)
+
+
+@contextmanager
+def _named(text: str) -> Iterator[None]:
+    """Refusals of numbers name the file that lists them, if a text names a file."""
+    try:
+        yield
+    except Refusal as error:
+        if not _is_list(text):
+            raise
+        raise Refusal.of(error, file=text) from None
+
+
+def _ascending(grid: Array) -> Array:
+    """The grid, if it is one."""
     if grid.ndim != 1 or grid.size == 0:
         raise wrong_type("frequency", f"has shape {grid.shape}; it must be a 1-D array of at least one value in Hz")
     low, high = _BAND
@@ -102,7 +125,7 @@ def frequency_grid(frequency: FrequencyLike) -> Array:
 
 def _stated(text: str) -> Array:
     """The frequencies that a text names, in Hz."""
-    if text.lower().endswith(_LISTS):
+    if _is_list(text):
         return _listed(text)
     rest = text.removeprefix(_LOGARITHMIC)
     allowed = (
@@ -116,6 +139,9 @@ def _stated(text: str) -> Array:
         raise Refusal(kind=Kind.WRONG_TYPE, field="frequency", value=text, allowed=allowed) from None
     if not 1 <= number <= _MOST_FREQUENCIES:
         raise Refusal(kind=Kind.OUT_OF_RANGE, field="frequency", value=text, allowed=allowed)
+    if number == 1 and start != stop:
+        allowed = "a COUNT of at least 2, because FIRST and LAST differ"
+        raise Refusal(kind=Kind.OUT_OF_RANGE, field="frequency", value=text, allowed=allowed)
     if rest == text:
         return np.linspace(start, stop, number)
     if not (start > 0 and stop > 0):
@@ -123,10 +149,27 @@ def _stated(text: str) -> Array:
     return np.geomspace(start, stop, number)
 
 
+def _is_list(text: str) -> bool:
+    """True if a text names a file that lists frequencies."""
+    return text.lower().endswith(_LISTS)
+
+
 def _listed(path: str) -> Array:
-    """The numbers in a text file, separated by white space or commas; what follows # in a line is a remark."""
+    """The numbers in a text file, separated by white space or commas; what follows # in a line is a remark.
+
+    The first line may be a heading. Then each line below it holds one frequency, because a second column would hold
+    something else.
+    """
     text = read_text(path, "a list of frequencies", Refusal)
-    words = " ".join(line.partition("#")[0] for line in text.splitlines()).replace(",", " ").split()
+    contents = (line.partition("#")[0].replace(",", " ").strip() for line in text.splitlines())
+    lines = [content for content in contents if content]
+    if lines and _is_heading(lines[0]):
+        for line in lines[1:]:
+            if len(line.split()) > 1:
+                allowed = "one frequency in Hz, because the file has a heading"
+                raise Refusal(kind=Kind.WRONG_TYPE, file=path, field="frequency", value=line, allowed=allowed)
+        del lines[0]
+    words = " ".join(lines).split()
     if not 1 <= len(words) <= _MOST_FREQUENCIES:
         problem = f"holds {counted(len(words), 'frequency')}; it must hold 1 to {_MOST_FREQUENCIES}"
         raise Refusal(problem, kind=Kind.OUT_OF_RANGE, file=path)
@@ -135,6 +178,19 @@ def _listed(path: str) -> Array:
         try:
             values[k] = float(word)
         except ValueError:
-            allowed = "numbers in Hz, separated by white space or commas"
+            allowed = "numbers in Hz, separated by white space or commas, below at most one heading without digits"
             raise Refusal(kind=Kind.WRONG_TYPE, file=path, field="frequency", value=word, allowed=allowed) from None
     return values
+
+
+def _is_heading(line: str) -> bool:
+    """True if a line has no digit, and no word such as ``nan`` that is read as a number."""
+    return not any(each.isdigit() for each in line) and not any(_is_number(word) for word in line.split())
+
+
+def _is_number(word: str) -> bool:
+    try:
+        float(word)
+    except ValueError:
+        return False
+    return True

@@ -41,7 +41,7 @@ Frequencies = Annotated[
     typer.Option(
         metavar="GRID",
         help="Frequencies in Hz: FIRST:LAST:COUNT, evenly spaced; log:FIRST:LAST:COUNT, of a constant ratio; "
-        "or a .txt or .csv file that lists them.",
+        "or a .txt or .csv file that lists them, below at most one heading.",
     ),
 ]
 Tolerances = Annotated[

@@ -197,13 +197,14 @@ def is_own_table(path: Path, columns: Sequence[str]) -> bool:
     return False
 
 
-def check_new_library(path: Path, formats: Sequence[str], reads: Files = ()) -> None:
+def check_new_library(path: Path, formats: Sequence[str], reads: Files = (), others: str = "") -> None:
     """Refuse the file of a library that cannot be written: what can be computed is replaced, all else is kept.
 
     Args:
         path: of the file.
         formats: suffixes that its name may have.
         reads: files that are read.
+        others: what else the call can write, as words behind the formats.
 
     Raises:
         Refusal: another suffix, a measured library, a file that is read or no library, or one that cannot be written.
@@ -212,7 +213,7 @@ def check_new_library(path: Path, formats: Sequence[str], reads: Files = ()) -> 
 
     check_local(path, field="out")
     if path.suffix.lower() not in formats and not path.is_dir():
-        allowed = f"a library, {' or '.join(formats)}"
+        allowed = f"a library, {' or '.join(formats)}{others}"
         raise Refusal(kind=Kind.OUT_OF_RANGE, file=path, field=Field("out"), allowed=allowed)
     check_new_file(path, reads=reads)
     check_replaceable(path)

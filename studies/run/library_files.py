@@ -31,6 +31,9 @@ from studies.output.display import Display
 from studies.output.folders import check_new_file, check_new_library, claimed_file
 from studies.output.frequencies import LIBRARY_FREQUENCIES
 
+#: Files of a circuit, in words.
+_CIRCUITS = f"{NETLIST_FORMAT} or a Touchstone file such as .s14p"
+
 
 def solve_library(
     design: DesignLike,
@@ -104,8 +107,10 @@ def convert_library(
             but a state space; a state space that does not keep the error.
     """
     path = Path(out)
+    others = ""
     if content is None:
         content = "circuit" if _is_circuit(path) else "library"
+        others = f"; or a circuit, {_CIRCUITS}"
     check_choice("content", content, CONTENTS)
     if content != "state-space":
         what = "a circuit has its own pins for" if content == "circuit" else "a library has"
@@ -113,7 +118,7 @@ def convert_library(
         given = {"touch": touch, "output": output, "tolerance": tolerance}
         check_unused(given, f": {what} all inputs and outputs, and no fit", remedy)
     if content == "library":
-        with claimed_file(path, partial(check_new_library, path, FORMATS, reads=(library,))):
+        with claimed_file(path, partial(check_new_library, path, FORMATS, (library,), others)):
             loaded = _opened(library, design)
             write_library(loaded, path)
         return loaded
@@ -147,8 +152,7 @@ def _opened(library: PathLike, design: DesignLike | None) -> Library:
 def _check_model(path: Path, library: PathLike, what: str, formats: tuple[str, ...]) -> None:
     touchstone = NETLIST_FORMAT in formats and is_touchstone(path)
     if path.suffix.lower() not in formats and not touchstone and not path.is_dir():
-        more = " or a Touchstone file such as .s14p" if NETLIST_FORMAT in formats else ""
-        allowed = f"{what}, {' or '.join(formats)}{more}"
+        allowed = f"{what}, {_CIRCUITS if NETLIST_FORMAT in formats else ' or '.join(formats)}"
         raise Refusal(kind=Kind.OUT_OF_RANGE, file=path, field=Field("out"), allowed=allowed)
     # A circuit can be made again; a .npz or a .mat may be a measured library, and Touchstone files are often measured.
     kept = "a file that may be a measurement" if touchstone else "a file that may be a measured library"

@@ -6,10 +6,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from refusals import refused
 
 import acoustic_fem
 import geometry
-from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.checks import frequencies, frequency_grid
 from geometry.ground.refusal import Kind, Refusal
 
 
@@ -30,6 +31,49 @@ def test_a_file_lists_frequencies(tmp_path: Path, text: str, name: str) -> None:
     assert library.frequency.tolist() == [1, 2.5, 10, 100]
 
 
+@pytest.mark.parametrize("text", ["40:40:1", "log:40:40:1"])
+def test_one_frequency_is_stated_as_first_and_last(text: str) -> None:
+    assert frequency_grid(text) == pytest.approx([40.0], rel=1e-12)
+
+
+@pytest.mark.parametrize("heading", ["frequency", "Frequency (Hz)", '"frequency, Hz"', "\n# a remark\nf / Hz  # 1"])
+def test_a_list_may_have_a_heading(tmp_path: Path, heading: str) -> None:
+    path = tmp_path / "grid.csv"
+    path.write_text(f"{heading}\n1\n2.5,\n\n10 # Hz\n")
+    assert frequency_grid(str(path)).tolist() == [1, 2.5, 10]
+    assert frequencies(str(path)).tolist() == [1, 2.5, 10]
+
+
+def test_a_second_column_or_heading_is_refused_with_its_line(tmp_path: Path) -> None:
+    path = tmp_path / "grid.csv"
+    for text, value in (
+        ("frequency,level\n1,2\n3,4\n", "1 2"),
+        ("frequency\nHz\n1\n", "Hz"),
+        ("frequency 2\n1\n", "frequency"),
+    ):
+        path.write_text(text)
+        with refused(Kind.WRONG_TYPE, "frequency", value, file=path):
+            frequency_grid(str(path))
+    path.write_text("frequency\n")
+    with refused(Kind.OUT_OF_RANGE, file=path):
+        frequency_grid(str(path))
+
+
+@pytest.mark.parametrize("content", ["1\n3\n2\n", "1\n1\n", "frequency\n1\n5000\n", "nan\n1\n"])
+def test_numbers_that_are_no_grid_are_refused_with_the_file_that_lists_them(tmp_path: Path, content: str) -> None:
+    path = tmp_path / "grid.csv"
+    path.write_text(content)
+    with refused(Kind.OUT_OF_RANGE, "frequency", file=path):
+        frequency_grid(str(path))
+
+
+def test_a_number_that_is_no_frequency_is_refused_with_its_file(tmp_path: Path) -> None:
+    path = tmp_path / "grid.txt"
+    path.write_text("3 -1 2")
+    with refused(Kind.OUT_OF_RANGE, "frequency", file=path):
+        frequencies(str(path))
+
+
 @pytest.mark.parametrize(
     ("text", "kind"),
     [
@@ -42,12 +86,14 @@ def test_a_file_lists_frequencies(tmp_path: Path, text: str, name: str) -> None:
         ("log:-1:-100:5", Kind.OUT_OF_RANGE),
         ("log:100:1:5", Kind.OUT_OF_RANGE),
         ("log:nan:100:5", Kind.OUT_OF_RANGE),
+        ("log:1:500:1", Kind.OUT_OF_RANGE),
+        ("1:500:1", Kind.OUT_OF_RANGE),
     ],
 )
 def test_another_text_is_refused(text: str, kind: Kind) -> None:
-    with pytest.raises(Refusal) as refused:
+    with pytest.raises(Refusal) as found:
         frequency_grid(text)
-    assert (refused.value.kind, refused.value.field) == (kind, "frequency")
+    assert (found.value.kind, found.value.field) == (kind, "frequency")
 
 
 @pytest.mark.parametrize(
@@ -58,9 +104,9 @@ def test_another_text_is_refused(text: str, kind: Kind) -> None:
 def test_a_bad_list_is_refused(tmp_path: Path, content: bytes, kind: Kind, field: str) -> None:
     path = tmp_path / "grid.txt"
     path.write_bytes(content)
-    with pytest.raises(Refusal) as refused:
+    with pytest.raises(Refusal) as found:
         frequency_grid(str(path))
-    assert (refused.value.kind, refused.value.field) == (kind, field)
-    with pytest.raises(Refusal) as refused:
+    assert (found.value.kind, found.value.field) == (kind, field)
+    with pytest.raises(Refusal) as found:
         frequency_grid(str(tmp_path / "none.txt"))
-    assert refused.value.kind is Kind.MISSING
+    assert found.value.kind is Kind.MISSING

@@ -128,3 +128,17 @@ def test_options_of_a_state_space_are_refused_beside_anything_else(
     assert isinstance(result.exception, Refusal)
     assert (result.exception.kind, result.exception.field) == (Kind.CONFLICT, field)
     assert not (tmp_path / out).exists()
+
+
+def test_another_suffix_is_refused_with_all_that_convert_writes(library: Library, tmp_path: Path) -> None:
+    acoustic_fem.save(library, tmp_path / "library.nc")
+    words = ["convert", str(tmp_path / "library.nc"), "--out", str(tmp_path / "y.xyz")]
+    with pytest.raises(Refusal) as found:
+        CliRunner().invoke(app, words, catch_exceptions=False)
+    assert (found.value.kind, found.value.field) == (Kind.OUT_OF_RANGE, "out")
+    for suffix in (*exchange.FORMATS, ".cir", ".s14p"):
+        assert suffix in found.value.allowed
+    with pytest.raises(Refusal) as found:
+        CliRunner().invoke(app, [*words, "--as", "library"], catch_exceptions=False)
+    assert ".cir" not in found.value.allowed
+    assert [each.name for each in tmp_path.iterdir()] == ["library.nc"]
