@@ -19,6 +19,10 @@ class Board:
     """Names of the files that it adds to those of every board."""
     building: str
     """How the firmware is built, in Markdown."""
+    scaling: str
+    """How the pressure of the largest sample is changed, in Markdown."""
+    faster: str
+    """How the line gets the speed ``{faster}``, in Markdown, as the beginning of a sentence."""
     most_microphones: int | None = None
     """Largest number of microphones that its source reads; None for any."""
     digital: bool = False
@@ -65,12 +69,38 @@ most two microphones. Call the folder `touch_arduino` and open it in the Arduino
 otherwise the frames are counted as unsent. No silicon was tried; the tests compile and run the file with stubs in place
 of Arduino. The test bench for the host comes with the other boards.
 """
+_OTHER_MICROPHONES = """For PDM microphones with a sensitivity of S dBFS at 94 dB SPL, it is 1.41 * 10^(-S / 20) Pa.
+Export again with `--board {board} --full-scale` and this number, or {by_hand}."""
 
 BOARDS: dict[BoardName, Board] = {
     "cortex-m": Board(
-        "a Cortex-M without an operating system", ("touch_board_mps2.c", "touch_board_mps2.ld"), _CORTEX_M, flash=2**22
+        "a Cortex-M without an operating system",
+        ("touch_board_mps2.c", "touch_board_mps2.ld"),
+        _CORTEX_M,
+        "For another converter, export again with `--converter-volts`, `--full-scale` or `--converter-bits`, or\n"
+        "compile with `-DTOUCH_FULL_SCALE=...f`.",
+        "Compile with `-DTOUCH_BAUD={faster}`, or set the speed of your board",
+        flash=2**22,
     ),
-    "zephyr": Board("Zephyr", ("touch_board_zephyr.c", "CMakeLists.txt", "prj.conf"), _ZEPHYR, digital=True),
-    "arduino": Board("Arduino", ("touch_board_arduino.cpp", "touch_arduino.ino"), _ARDUINO, 2, True, has_bench=False),
+    "zephyr": Board(
+        "Zephyr",
+        ("touch_board_zephyr.c", "CMakeLists.txt", "prj.conf"),
+        _ZEPHYR,
+        _OTHER_MICROPHONES.format(
+            board="zephyr", by_hand="add `TOUCH_FULL_SCALE=...f` to\n`target_compile_definitions` in `CMakeLists.txt`"
+        ),
+        "Set `current-speed = <{faster}>` of the UART in the device tree of your board",
+        digital=True,
+    ),
+    "arduino": Board(
+        "Arduino",
+        ("touch_board_arduino.cpp", "touch_arduino.ino"),
+        _ARDUINO,
+        _OTHER_MICROPHONES.format(board="arduino", by_hand="change `TOUCH_FULL_SCALE` in\n`touch_tables.h`"),
+        "Change `TOUCH_BAUD` in `touch_board_arduino.cpp`",
+        most_microphones=2,
+        digital=True,
+        has_bench=False,
+    ),
 }
 """Boards by name."""

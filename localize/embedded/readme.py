@@ -102,8 +102,8 @@ records samples. Raw mode sends {raw_rate} bits/s with start and stop bits. {spe
 The largest sample, {largest}, is {full_scale:.4g} Pa, so a step is {step:.3g} Pa. This is
 {scale_source}.
 
-For another converter, export again with `--converter-volts`, `--full-scale` or `--converter-bits`, or compile with
-`-DTOUCH_FULL_SCALE=...f`. Samples count as clipped from {limit:.4g} Pa on.
+{scaling}
+Samples count as clipped from {limit:.4g} Pa on.
 
 {bench}## Microphones
 
@@ -171,9 +171,10 @@ def readme(tables: EmbeddedTables, cost: Cost, scale: SampleScale, board: Board)
         full_scale=scale.full_scale,
         step=scale.pascals_per_step,
         scale_source=scale.source,
+        scaling=board.scaling,
         limit=min(scale.full_scale, scale.overload),
         raw_rate=raw_rate(count),
-        speed=_speed(count),
+        speed=_speed(count, board),
     )
 
 
@@ -183,12 +184,13 @@ def raw_rate(microphones: int) -> int:
     return int(10 * frame * SAMPLE_RATE / HOP)
 
 
-def _speed(microphones: int) -> str:
+def _speed(microphones: int, board: Board) -> str:
+    """Words about the speed of the line; those for a faster one depend on where the board's tools take it from."""
     needed = raw_rate(microphones)
     if needed <= BAUD:
         return f"The line runs at {BAUD}."
     faster = next(each for each in _SPEEDS if each >= needed)
     return (
-        f"The line runs at {BAUD}, which is too slow on a UART. Compile with `-DTOUCH_BAUD={faster}`, or set the speed "
-        f"of your board, and give `--baud {faster}` to both commands. A USB serial port needs neither."
+        f"At {BAUD} bits/s a UART is too slow. {board.faster.format(faster=faster)}, and give `--baud {faster}` to "
+        "both commands. A USB serial port needs neither."
     )

@@ -158,7 +158,10 @@ def embed(
     noise: DecoderNoise = None,
     prefix: Annotated[
         str,
-        typer.Option(help="First part of all global names and of the files' names, for two arrays in one program."),
+        typer.Option(
+            help="First part of all global names and of the files' names, for two arrays in one program. Each needs "
+            "its own folder."
+        ),
     ] = EMBEDDED_PREFIX,
     board: Annotated[
         str, typer.Option(metavar="cortex-m|zephyr|arduino", help="Board or system whose sources are added.")

@@ -11,8 +11,10 @@ from refusals import refused
 from small_run import small_design
 
 import acoustic_fem
-from geometry import Kind
+import studies
+from geometry import Kind, Refusal
 from localize.embedded import Converter, embed
+from localize.embedded.boards import BOARDS
 from localize.live.serial_frames import FrameReader, StatusFrame
 
 SUPPORT = Path(__file__).parents[2] / "support"
@@ -154,3 +156,66 @@ def test_boards_of_digital_microphones_take_no_voltage_and_no_bits(library, boar
     source = embed(library, board=board).scale.source
     assert "--full-scale" in source
     assert "amplify" not in source
+
+
+@pytest.mark.filterwarnings("ignore::localize.embedded.CoarseConverterWarning")
+@pytest.mark.parametrize("board", sorted(BOARDS))
+def test_the_readme_of_a_board_names_only_what_works_there(library, board):
+    files = embed(library, board=board, prefix="hand").files
+    readme = files["README.md"]
+    assert "--full-scale" in readme
+    digital = BOARDS[board].digital
+    for option, converter in (("--converter-volts", Converter(volts=0.5)), ("--converter-bits", Converter(bits=15))):
+        assert (option in readme) is not digital
+        if digital:
+            with refused(Kind.CONFLICT):
+                embed(library, board=board, converter=converter)
+        else:
+            embed(library, board=board, converter=converter)
+    assert ("-DHAND_FULL_SCALE" in readme) is (board == "cortex-m")
+    if board == "arduino":
+        assert "`HAND_FULL_SCALE` in\n`hand_tables.h`" in readme
+        assert "#define HAND_FULL_SCALE" in files["hand_tables.h"]
+    if board == "zephyr":
+        assert "`HAND_FULL_SCALE=...f` to\n`target_compile_definitions`" in readme
+        assert "target_compile_definitions(app PRIVATE HAND_EVENT_MODE" in files["CMakeLists.txt"]
+
+
+@needs_compiler
+def test_projects_of_two_prefixes_keep_out_of_each_others_folder_and_fit_one_program(tmp_path, library):
+    right, left = tmp_path / "right", tmp_path / "left"
+    studies.embed_decoder(library, right, prefix="right")
+    before = {each.name: each.read_bytes() for each in right.iterdir()}
+    with refused(Kind.EXISTS, "out", file=right) as found:
+        studies.embed_decoder(library, right, prefix="left")
+    assert "right" in str(found.value)
+    assert {each.name: each.read_bytes() for each in right.iterdir()} == before
+    (right / "decoder-files.txt").unlink()
+    with pytest.raises(Refusal):  # files of others, without the list
+        studies.embed_decoder(library, right, prefix="left")
+    (right / "decoder-files.txt").write_bytes(before["decoder-files.txt"])
+    studies.embed_decoder(library, right, prefix="right", precision="int16")  # its own are replaced
+    studies.embed_decoder(library, left, prefix="left")
+    (tmp_path / "main.c").write_text(
+        '#include "left_decoder.h"\n#include "right_decoder.h"\n'
+        "static left_decoder left; static right_decoder right;\n"
+        "int main(void) { left_init(&left, 0); right_init(&right, 0); return LEFT_POINTS - RIGHT_POINTS; }\n"
+    )
+    sources = [f"{name}/{name}_{part}.c" for name in ("left", "right") for part in ("decoder", "tables")]
+    run([COMPILER, *STRICT, "-Ileft", "-Iright", "main.c", *sources, "-lm", "-o", "both"], tmp_path)
+    run(["./both"], tmp_path)
+
+
+def test_a_folder_of_a_version_without_a_list_keeps_its_project(tmp_path, library):
+    (tmp_path / "touch_decoder.h").write_text("/* older */")
+    with refused(Kind.EXISTS, "out", file=tmp_path):
+        studies.embed_decoder(library, tmp_path, prefix="left")
+    studies.embed_decoder(library, tmp_path)
+    assert (tmp_path / "touch_decoder.h").read_text() != "/* older */"
+
+
+def test_every_c_file_but_the_tables_includes_the_check_of_the_compiler(library):
+    for board in BOARDS:
+        files = embed(library, board=board).files
+        sources = {name: text for name, text in files.items() if Path(name).suffix in (".c", ".cpp")}
+        assert {name for name, text in sources.items() if "touch_compiler.h" not in text} == {"touch_tables.c"}

@@ -12,7 +12,7 @@ from refusals import refused
 from geometry import Kind
 from localize import ArrayResponse
 from localize.embedded import Budget, Converter, Cost, LargeDecoderWarning, embed, in_units
-from localize.embedded.boards import BOARDS
+from localize.embedded.boards import BOARDS, BoardName
 from localize.embedded.readme import raw_rate
 
 COST = Cost(flash=340_892, ram=4_100, stack=704, instructions=641_292, first=66_000)
@@ -78,13 +78,19 @@ def test_memory_and_tables_are_what_the_compiler_makes_of_them(
 
 
 @pytest.mark.parametrize(("microphones", "faster"), [(4, False), (5, True)])
-def test_the_speed_of_a_line_that_is_too_slow_for_samples_is_stated(microphones: int, faster: bool) -> None:
+@pytest.mark.parametrize(
+    ("board", "words"), [("cortex-m", "-DTOUCH_BAUD=230400"), ("zephyr", "current-speed = <230400>")]
+)
+def test_the_speed_of_a_line_that_is_too_slow_for_samples_is_stated(
+    microphones: int, faster: bool, board: BoardName, words: str
+) -> None:
     # Ten bits for each of 62.5 frames a second: 30 bytes, and 16 samples of two bytes of each microphone.
     assert raw_rate(microphones) == 625 * (30 + 32 * microphones)
     response = small(microphones, microphones)
-    made = embed(response, microphone_noise=0.02, board="zephyr", converter=Converter(full_scale=10.0))
+    made = embed(response, microphone_noise=0.02, board=board, converter=Converter(full_scale=10.0))
     text = made.files["README.md"]
-    assert ("-DTOUCH_BAUD=230400" in text) == faster
+    assert (words in text) == ("--baud 230400" in text) == faster
+    assert ("TOUCH_BAUD" in text) == (faster and board == "cortex-m")  # the source for Zephyr has no such constant
 
 
 def test_a_decoder_beyond_the_linker_file_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
