@@ -140,8 +140,8 @@ def _stated(text: str) -> Array:
     if not 1 <= number <= _MOST_FREQUENCIES:
         raise Refusal(kind=Kind.OUT_OF_RANGE, field="frequency", value=text, allowed=allowed)
     if number == 1 and start != stop:
-        allowed = "a COUNT of at least 2, because FIRST and LAST differ"
-        raise Refusal(kind=Kind.OUT_OF_RANGE, field="frequency", value=text, allowed=allowed)
+        problem = "needs a COUNT of at least 2, because FIRST and LAST differ"
+        raise Refusal(problem, kind=Kind.OUT_OF_RANGE, field="frequency", value=text)
     if rest == text:
         return np.linspace(start, stop, number)
     if not (start > 0 and stop > 0):

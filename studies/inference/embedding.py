@@ -99,5 +99,5 @@ def _check_own_prefix(folder: Path, prefix: str) -> None:
                 kind=Kind.EXISTS,
                 file=folder,
                 field=Field("out"),
-                remedy="name a folder of its own for each prefix",
+                remedy="give each prefix its own folder",
             )
