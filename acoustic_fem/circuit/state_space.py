@@ -34,9 +34,15 @@ LARGEST_ORDER = 60
 ROUNDING = 1e-9
 #: Errors that can be asked for.
 TOLERANCES = 1e-6, 0.1
+#: Lowest frequency at which a band may begin, Hz.
+SLOWEST = 1e-3
+#: Smallest order that is tried.
+SMALLEST_ORDER = 6
+#: Number of frequencies of a library that a fit needs at least.
+FEWEST_FREQUENCIES = 2 * SMALLEST_ORDER
 #: Frequency at which a microphone's sensitivity is stated, Hz.
 STATED_AT = 1000.0
-_SMALLEST, _FITTED, _CHECKED = 6, 240, 600
+_FITTED, _CHECKED = 240, 600
 #: Most pairs of poles from one order to the next that is tried.
 _MOST_PAIRS = 6
 #: Number of orders in turn that keep the error and give energy, after which no larger one is tried.
@@ -46,10 +52,7 @@ _NO_GAIN = 16
 #: Responses from which the poles are found; the others have them too, and their errors count as well.
 _POLES_FROM = 96
 _FIELDS = {"point_impedance": "point", "source_response": "source", "microphone_impedance": "microphones"}
-_SLOW = 1e-3
 _SLOW_COUNT = 48
-#: Error of the fit that simulations in time use; it is chosen for their accuracy, not for a small order.
-_SIMULATED = 3e-4
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,6 +124,9 @@ class SensorModel:
     def simulate(self, signals: Any, rate: float) -> Array:
         """Outputs over time for inputs that run straight from sample to sample and were 0 before the first.
 
+        Frequencies of the inputs above :attr:`band` go through poles that were fitted to nothing there, so inputs must
+        be smooth enough. :meth:`acoustic_fem.Library.simulate` checks this.
+
         Args:
             signals: (n_point, n_sample) real numbers in the unit of the input.
             rate: samples per second, Hz; any.
@@ -174,26 +180,6 @@ def fit_sensor(
     grid = _grid(library, band)
     wanted = _Wanted.of(library, touch, output, grid)
     return _smallest(wanted, library, touch, output, tolerance, passive)
-
-
-def simulate(library: Library, force: Any, rate: float, *, touch: str = "force", output: str = "pressure") -> Array:
-    """Signals of the microphones while membranes are pressed: behind :meth:`acoustic_fem.Library.simulate`.
-
-    The fit begins at 1 mHz and keeps an error of 3e-4. Arguments and errors as there.
-
-    Args:
-        library: of the sensor.
-        force: (n_point, n_sample) real numbers, N or m^3/s.
-        rate: samples per second, Hz.
-        touch: one of :data:`INPUTS`.
-        output: one of :data:`OUTPUTS`.
-
-    Returns:
-        (n_microphone, n_sample) float64, Pa or V.
-    """
-    top = float(library.frequency[-1])
-    model = fit_sensor(library, touch=touch, output=output, tolerance=_SIMULATED, band=(_SLOW, top), passive=False)
-    return model.simulate(force, rate)
 
 
 @dataclass(frozen=True, eq=False)
@@ -267,13 +253,13 @@ def _grid(library: Library, band: tuple[float, float] | None) -> Array:
     known = library.frequency
     low, high = (float(known[0]), float(known[-1])) if band is None else band
     check_range("band: its highest frequency", high, float(known[0]), float(known[-1]), "Hz")
-    check_range("band: its lowest frequency", low, _SLOW, high, "Hz")
+    check_range("band: its lowest frequency", low, SLOWEST, high, "Hz")
     inside = known[(known >= low) & (known <= high)]
     slow = np.geomspace(low, known[0], _SLOW_COUNT, endpoint=False) if low < known[0] else np.empty(0)
     grid = np.concatenate([slow, inside])
-    if len(grid) < 2 * _SMALLEST:
+    if len(inside) < FEWEST_FREQUENCIES:
         raise Refusal(
-            f"holds {len(grid)} frequencies of the library; a fit needs at least {2 * _SMALLEST}",
+            f"holds {len(inside)} frequencies of the library; a fit needs at least {FEWEST_FREQUENCIES}",
             kind=Kind.OUT_OF_RANGE,
             field="band",
         )
@@ -313,7 +299,7 @@ def _smallest(
     rows = fitted.rows(passive)
     rows = rows[:: -(-len(rows) // _POLES_FROM)]
     largest = min(LARGEST_ORDER, len(fitted.frequency) // 2)
-    order, tried = _SMALLEST, list[_Tried]()
+    order, tried = SMALLEST_ORDER, list[_Tried]()
     while order <= largest and not _is_hopeless(tried, tolerance):
         poles = fit_poles(rows, fitted.frequency, order)
         fit = poles.of_responses(wanted.responses, grid)
@@ -377,7 +363,7 @@ def _unreached(name: str, tried: list[_Tried], tolerance: float) -> VectorFitErr
         least = min(tried, key=lambda each: each.error)
         problem = f"is not reached for {name}: the smallest error is {least.error:.2g}, with {least.order} poles"
     passive = min((each for each in tried if each.is_passive), key=lambda each: each.error, default=None)
-    remedy: Text = "solve the library at more frequencies, or give a smaller band"
+    remedy: Text = "use a library of more frequencies or less noise, or a smaller band of it"
     if passive is not None and passive.error <= TOLERANCES[1]:
         remedy = ("give ", Field("tolerance"), f" {_rounded_up(passive.error)}, which {passive.order} poles reach")
     return VectorFitError(problem, kind=Kind.NO_RESULT, field="tolerance", value=tolerance, remedy=remedy)

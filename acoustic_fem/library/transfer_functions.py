@@ -163,12 +163,24 @@ class Library(Shown):
         found: xr.DataArray = function_above("acoustic_fem.library.acceleration", "acceleration_response")(self)
         return found
 
-    def simulate(self, force: Any, rate: float, *, touch: str = "force", output: str = "pressure") -> Array:
+    def simulate(
+        self,
+        force: Any,
+        rate: float,
+        *,
+        touch: str = "force",
+        output: str = "pressure",
+        tolerance: float | None = None,
+    ) -> Array:
         """Signals of the microphones while membranes are pressed, at any rate and of any length.
 
-        A sum of poles is fitted to the responses from 1 mHz to the end of the library, with an error of 3e-4, and
-        stepped exactly from sample to sample (:mod:`acoustic_fem.circuit.state_space`). So presses that are held, leaks
-        and rubber that creeps come out right. Noise and large presses are left out: :mod:`localize.contacts` has them.
+        A sum of poles is fitted to the responses from 1 mHz to the end of the library, and stepped exactly from sample
+        to sample (:mod:`acoustic_fem.circuit.force_simulation`). So presses that are held, leaks and rubber that creeps
+        come out right. Noise and large presses are left out: :mod:`localize.contacts` has them.
+
+        The signals are wrong for frequencies of the force above the last frequency of the library, because nothing was
+        fitted there. If that part of the force peaks above 1 % of the largest force, a ``ModelLimitWarning`` says how
+        much it is. Then solve the library to a higher frequency, or let the force rise and fall more slowly.
 
         Args:
             force: (n_point, n_sample) real numbers, N, or m^3/s for a volume velocity; straight from sample to sample,
@@ -176,15 +188,20 @@ class Library(Shown):
             rate: samples per second, Hz.
             touch: "force" on the patch of :attr:`force_response`, or "volume-velocity" at the membrane.
             output: "pressure" in front of each microphone, Pa, or its "voltage", V.
+            tolerance: largest error of the fit, relative to the magnitude of each response at each frequency, 1e-6 to
+                0.1. By default 3e-4. For a measured library that has standard deviations it is the largest error that
+                they make probable.
 
         Returns:
             (n_microphone, n_sample) float64.
 
         Raises:
-            Refusal: forces of another shape or that are not finite, an unknown touch or output, a rate out of range.
+            Refusal: forces of another shape or that are not finite, an unknown touch or output, a rate or tolerance out
+                of range, or a library of fewer than 12 frequencies.
+            VectorFitError: no sum of up to 60 poles keeps the tolerance; the message has the error that one reaches.
         """
-        found: Array = function_above("acoustic_fem.circuit.state_space", "simulate")(
-            self, force, rate, touch=touch, output=output
+        found: Array = function_above("acoustic_fem.circuit.force_simulation", "simulate")(
+            self, force, rate, touch=touch, output=output, tolerance=tolerance
         )
         return found
 
