@@ -150,8 +150,8 @@ def tables(designs: Sequence[str], sensors: int, seconds: float) -> Iterator[str
 
 def main() -> None:
     """Print both tables, and write them to the page."""
-    for stated_elsewhere in (ModelLimitWarning, UncoveredWarning):
-        warnings.simplefilter("ignore", stated_elsewhere)
+    for repeated in (ModelLimitWarning, UncoveredWarning):  # by every rig
+        warnings.simplefilter("once", repeated)
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("designs", nargs="*", default=DESIGNS)
     parser.add_argument("--sensors", type=int, default=SENSORS)

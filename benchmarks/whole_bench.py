@@ -146,8 +146,8 @@ def shares(
 
 def main() -> None:
     """Print both tables, and write them to the page."""
-    for stated_elsewhere in (ModelLimitWarning, UncoveredWarning):
-        warnings.simplefilter("ignore", stated_elsewhere)
+    for repeated in (ModelLimitWarning, UncoveredWarning):  # by every rig
+        warnings.simplefilter("once", repeated)
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--sensors", type=int, default=SENSORS)
     parser.add_argument("--write", action="store_true", help="replace the tables of the page")
