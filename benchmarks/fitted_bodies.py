@@ -1,16 +1,18 @@
 """Arrays fitted to bodies and carved into them, against the rules of ``docs/robot.md``.
 
-``python -m benchmarks.fitted_bodies F1.stl F2.stl`` writes the tables; the two meshes are phalanges of the Shadow Hand
-from the package gymnasium-robotics, and carry the parts of the prototype fingertip-3x4. Ten minutes or so of one core.
+``python -m benchmarks.fitted_bodies F1.stl F2.stl --write`` writes the tables. The two meshes are phalanges of the
+Shadow Hand from the package gymnasium-robotics, and carry the parts of the prototype fingertip-3x4. Ten minutes or so
+of one core.
 """
 
 from __future__ import annotations
 
-import sys
+import argparse
 import tempfile
 import time
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import geometry
 from geometry.assembly.model import array_model
@@ -30,7 +32,7 @@ PAGE = Path(__file__).parents[1] / "docs" / "evidence" / "bodies.md"
 FITS = ("<!-- fits: made by benchmarks/fitted_bodies.py -->", "<!-- end fits -->")
 CARVED = ("<!-- carved: made by benchmarks/fitted_bodies.py -->", "<!-- end carved -->")
 #: What further bodies carry, by the names of their files: the table [surface] without the body.
-MESHES = {
+MESHES: dict[str, dict[str, Any]] = {
     "F1.stl": {"pitch": 4.0, "skin": 1, "region": {"normal": {"towards": (0, -1, 0), "within": 100}}},
     "F2.stl": {"pitch": 4.5, "skin": 1},
 }
@@ -96,19 +98,24 @@ def carved_row(name: str, design: geometry.ArrayDesign, body: Body) -> str:
 
 
 def main() -> None:
-    """Write both tables."""
+    """Print the rows of both tables, and write the tables to the page."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("meshes", nargs="*", help=f"files of further bodies, called {' and '.join(MESHES)}")
+    parser.add_argument("--write", action="store_true", help="replace the tables of the page")
+    given = parser.parse_args()
     fits = [
-        "| body | points | overlaps | seeds tried | scatter of the spacing (CV) | tightest bend by the smallest "
-        "allowed | least angle of ports (degrees) | kinds of shells | gap under a rim (mm) | fit (s) | layout (ms) |",
+        "| body | points | overlaps | seeds tried | scatter of the spacing (CV) | tightest bend / "
+        "smallest allowed | smallest angle of ports (degrees) | kinds of shells | gap under a rim (mm) | fit (s) | "
+        "layout (ms) |",
         "|---|---|---|---|---|---|---|---|---|---|---|",
     ]
     carved = [
-        "| body | solid | ways cut through it, and through the template | error of the volume | largest volume that a "
+        "| body | solid | openings through it, through the template | error of the volume | largest volume that a "
         "part shares with the wall (mm³) | thinnest wall (mm) | carving (s) |",
         "|---|---|---|---|---|---|---|",
     ]
     with tempfile.TemporaryDirectory() as folder:
-        for name, design, body in bodies(sys.argv[1:], Path(folder)):
+        for name, design, body in bodies(given.meshes, Path(folder)):
             try:
                 start = time.process_time()
                 found = fit_surface(design, body)
@@ -118,8 +125,9 @@ def main() -> None:
                 print(carved[-1], flush=True)
             except Refusal as error:
                 print(f"{name}: {error}", flush=True)
-    replace_section(PAGE, *FITS, fits)
-    replace_section(PAGE, *CARVED, carved)
+    if given.write:
+        replace_section(PAGE, *FITS, fits)
+        replace_section(PAGE, *CARVED, carved)
 
 
 if __name__ == "__main__":

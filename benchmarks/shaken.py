@@ -137,7 +137,8 @@ def tables(designs: Sequence[str], sensors: int, seconds: float) -> Iterator[str
     """Lines of both tables."""
     libraries = {name: acoustic_fem.solve(geometry.prototype(name), FREQUENCY, "lumped") for name in designs}
     rigs = {name: [Rig(name, FIRST + k, fidelity="lumped") for k in range(sensors)] for name in designs}
-    yield "| design | motion | signals / less motion (mPa rms) | not configured | `--motion` | `--acceleration` |"
+    signals = "signals, before / after `--acceleration` (mPa rms)"
+    yield f"| design | motion | {signals} | not configured | `--motion` | `--acceleration` |"
     yield "|---" * 6 + "|"
     for name, library in libraries.items():
         yield from false_touches(name, library, rigs[name], seconds)

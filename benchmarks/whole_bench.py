@@ -131,7 +131,7 @@ def touched(rig: Rig, kind: str, waved: bool, library: Library) -> tuple[Array, 
     return np.asarray(signals), np.asarray(begin, np.float64), points + 1
 
 
-def shares(
+def touch_fractions(
     model: localize.Model, late: float, signals: Array, begin: Array, points: NDArray[np.int64]
 ) -> tuple[float, float, int]:
     """Fractions of the touches that are reported and whose first report is at their point, and number of other reports.
@@ -168,7 +168,7 @@ def main() -> None:
         print(rig.seed, fits[-1], flush=True)
         for kind in TOUCHES:
             for waved in (False, True):
-                found = shares(model, TOUCHES[kind][-1], *touched(rig, kind, waved, library))
+                found = touch_fractions(model, TOUCHES[kind][-1], *touched(rig, kind, waved, library))
                 rows.setdefault((kind, waved), []).append(found)
                 print(rig.seed, kind, waved, found, flush=True)
     text = tables(fits, rows)
@@ -186,7 +186,8 @@ def tables(fits: list[list[FittedRig]], rows: dict[tuple[str, bool], list[tuple[
         errors = (100 * np.array([(one.measured, one.others) for one in each])).T
         cells = (f"{np.median(of):.1f} / {of.max():.1f}" for of in errors)
         lines.append(f"| {name} | {accepted} | {' | '.join(cells)} |")
-    lines += ["", "| touches | sensor | reported (%) | at their point, mean / 5th percentile (%) | wanted | other |"]
+    at_point = "at their point, mean / 5th percentile (%)"
+    lines += ["", f"| touches | sensor | reported (%) | {at_point} | target (%) | other reports |"]
     lines.append("|---" * 6 + "|")
     for (kind, waved), of_rigs in rows.items():
         there, right, other = (100 * np.array([row[k] for row in of_rigs], np.float64) for k in range(3))

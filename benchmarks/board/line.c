@@ -1,5 +1,5 @@
-/* Frames of a firmware into the file line.bin of the host, by the linker's --wrap, for boards whose UART is another one
- * than that of touch_board_mps2.c. */
+/* Writes the frames of a firmware to the file line.bin of the host. The linker's --wrap calls it in place of
+ * touch_hal_send, on boards whose UART differs from that of touch_board_mps2.c. */
 #include <stddef.h>
 #include <stdint.h>
 
