@@ -41,7 +41,7 @@ class Starts:
         return Starts(np.concatenate([self.points, other.points]), np.concatenate([self.strokes, other.strokes]))
 
     def of_first(self, count: int) -> Starts:
-        """Those about so many combinations of points, the first ones."""
+        """Hypotheses about the first ``count`` combinations of points."""
         seen = list(dict.fromkeys(tuple(each) for each in self.points.tolist()))[:count]
         mask = [tuple(each) in seen for each in self.points.tolist()]
         return Starts(self.points[mask], self.strokes[mask])
@@ -61,11 +61,10 @@ class StrokeAtoms:
         every = 1 if response.point_count <= options.few_points else options.few_rises
         self._strokes, self._begins = _grid(options, every)
         shapes = len(self._strokes)
-        self.stride = 1
-        """Distance of points with atoms along a line, in places."""
-        while (shown := _points_with_atoms(response, self.stride)).size * shapes > options.most_atoms:
-            self.stride += 1
-            if self.stride > response.place.max():
+        stride = 1
+        while (shown := _points_with_atoms(response, stride)).size * shapes > options.most_atoms:
+            stride += 1
+            if stride > response.place.max():
                 break
         self.points: NDArray[np.int64] = shown
         """Points with atoms, from 0, (n_shown,) int64."""

@@ -41,8 +41,6 @@ class StrokeFits:
     """Sum of squares of the residual over its expected variance, (n_hypothesis,) float64."""
     evidence: Array
     """Logarithm of the evidence, (n_hypothesis,) float64, nats."""
-    residual: Array
-    """Residual of the white frame, (n_hypothesis, n_white) float64."""
 
     def best(self, count: int, of_points: int = 1) -> StrokeFits:
         """The hypotheses of most evidence, in its order.
@@ -129,7 +127,7 @@ def fit_strokes(
     evidence = -value - 0.5 * (size - np.log(fit.weight).sum())
     found = state[:, : touches * SIZE].reshape(count, touches, SIZE)
     misfit = (residual**2).sum(1)
-    return StrokeFits(points, found, state[:, touches * SIZE :], misfit, evidence, residual * np.sqrt(variance))
+    return StrokeFits(points, found, state[:, touches * SIZE :], misfit, evidence)
 
 
 def residual_information(
@@ -229,8 +227,8 @@ class _Fit:
     def slopes(self, there: _Reached) -> Array:
         """Derivatives of the frame over the same deviation by the parameters, (n_chosen, n_parameter, n_white) float64.
 
-        They are computed in single precision, which halves the time: they steer the fit and weigh it, and the residual
-        is that of double precision.
+        They are computed in single precision, which halves the time, because they only steer the fit and weigh it. The
+        residual has the precision of the model.
         """
         heard = there.heard.astype(np.complex64).swapaxes(1, 2)
         paths = there.paths.astype(np.complex64).swapaxes(1, 2)

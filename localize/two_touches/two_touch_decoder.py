@@ -121,6 +121,7 @@ class TwoTouchDecoder:
         self._atoms = StrokeAtoms(self._model, response, options)
         self._line, self._place = response.line, response.place
         longest = int(np.bincount(response.line).max())
+        # The first moves along a line are an eighth to a quarter of its length, each later one is half as long.
         self._reaches = tuple(2**k for k in reversed(range(max(1, int(np.log2(longest)) - 1))))
 
     @one_thread()
@@ -147,7 +148,7 @@ class TwoTouchDecoder:
             if found.misfit[0] / 2 <= self.options.threshold:
                 break
             more = self._with_one_more(white, found)
-            # What neither explains does not tell one touch from two.
+            # A residual that two touches do not explain either is no evidence for two.
             unexplained = max(1.0, float(more.misfit[0]) / len(white))
             better = float(more.evidence[0] - found.evidence[0]) / unexplained
             gain = better if count == 2 else gain
@@ -199,7 +200,7 @@ class TwoTouchDecoder:
             stage: its numbers.
             reaches: places by which points are moved, one after the other.
         """
-        keep, of_points, error, steps, count = stage
+        keep, of_points = stage[:2]
         tried = {tuple(sorted(each)) for each in fits.points.tolist()}
         for reach in reaches:
             for _ in range(self.options.moves):
@@ -207,7 +208,7 @@ class TwoTouchDecoder:
                 if not len(points):
                     break
                 best = fits.evidence[0]
-                more = self._stage(model, white, points, strokes, None, (keep, of_points, error, steps, count))
+                more = self._stage(model, white, points, strokes, None, stage)
                 fits = fits.joined(more).best(keep, of_points)
                 if fits.evidence[0] < best + 1.0:
                     break
@@ -240,7 +241,10 @@ class TwoTouchDecoder:
     def _moved(
         self, fits: StrokeFits, reach: int, tried: set[tuple[int, ...]]
     ) -> tuple[NDArray[np.int64], Array]:  # fmt: skip
-        """Hypotheses about points some places beside those of the best ones that were not tried, which they become."""
+        """Hypotheses about points ``reach`` places beside those of the best ones.
+
+        Combinations of points in ``tried`` are left out, and the new ones are added to it.
+        """
         points, strokes = list[tuple[int, ...]](), list[Array]()
         leading = fits.best(self.options.widened)
         for each, own in zip(leading.points.tolist(), leading.strokes, strict=True):

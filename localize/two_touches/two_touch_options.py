@@ -15,8 +15,8 @@ class TwoTouchOptions:
     most: int = 2
     """Largest number of touches that are looked for, 1 to 3."""
     most_points: int = 16
-    """Largest number of points of an array. On the 36 points of line-2, the search finds two taps nearly as often, but
-    two presses less often."""
+    """Largest number of points of an array. On virtual rigs of line-2, which has 36 points, the search finds two taps
+    nearly as often as on array-2x6, but two presses less often."""
     threshold: float = 50.0
     """Gain in evidence, nats, from which there is one more touch."""
     relative_error: float = 1e-2
@@ -53,7 +53,7 @@ class TwoTouchOptions:
     widened: int = 3
     """Number of hypotheses around whose points the neighbours are tried."""
     another: int = 8
-    """Number of strokes with which a hypothesis begins anew beside its others."""
+    """Number of further strokes that are tried beside those of a hypothesis."""
     exchanges: int = 2
     """Largest number of times that each stroke of the best hypotheses is sought anew beside the others."""
     moves: int = 4
