@@ -63,7 +63,7 @@ class Diagnosis:
     """Point of each touch, from 1, as given or as the likeliest explanation has it; (n_touch,) int64."""
     known: NDArray[np.bool_]
     """True for each touch whose point was given; (n_touch,) bool."""
-    matching: str = ""
+    matching: str
     """Sentence about stated points whose touches were missed or doubled; empty if there are none."""
     next_point: int | None
     """Point, from 1, whose touch would best distinguish what is left; None if nothing is left to distinguish."""

@@ -76,6 +76,7 @@ class DiagnosisOptions:
     unmatched: int = 2
     """Largest difference between the numbers of stated points and of found touches that is tolerated."""
     matched: float = 0.99
-    """Probability of its point above which a touch has a known one, if these numbers differ."""
+    """Probability above which a touch is assigned one of the stated points, if these numbers differ. Otherwise its
+    point counts as unknown."""
     fewest: int = 6
     """Least number of touches."""

@@ -113,7 +113,9 @@ def _matched(
     for order, own in zip(points, probability, strict=True):
         by_point[every, order] += own
     known = np.where(by_point.max(1) > options.matched, by_point.argmax(1), -1)
-    return KnownTouches(known, _note(orders[probability.argmax()], stated, spectra.start, int((known < 0).sum())))
+    is_certain = bool(probability.max() > options.matched)
+    note = _note(orders[probability.argmax()], is_certain, stated, spectra.start, int((known < 0).sum()))
+    return KnownTouches(known, note)
 
 
 def _orders(stated: int, found: int) -> NDArray[np.int64]:
@@ -125,7 +127,7 @@ def _orders(stated: int, found: int) -> NDArray[np.int64]:
     return np.array([np.arange(found) - np.isin(np.arange(found), each).cumsum() for each in doubled])
 
 
-def _note(order: NDArray[np.int64], stated: NDArray[np.int64], start: Array, unknown: int) -> str:
+def _note(order: NDArray[np.int64], is_certain: bool, stated: NDArray[np.int64], start: Array, unknown: int) -> str:
     """Sentence about the likeliest order."""
     counts = np.bincount(order, minlength=len(stated))
     found = [f"touch {k + 1} (point {stated[k] + 1}) was missed" for k in np.flatnonzero(counts == 0).tolist()]
@@ -134,8 +136,8 @@ def _note(order: NDArray[np.int64], stated: NDArray[np.int64], start: Array, unk
         found.append(f"touch {k + 1} (point {stated[k] + 1}) was found as {counts[k]} touches, at {times} s")
     doubt = f" The points of {counted(unknown, 'touch')} are uncertain and count as unknown." if unknown else ""
     return (
-        f"{counted(len(stated), 'point')} are stated and {counted(len(start), 'touch')} were found: most probably "
-        f"{'; '.join(found)}.{doubt}"
+        f"{counted(len(stated), 'point')} are stated and {counted(len(start), 'touch')} were found: "
+        f"{'most probably' if is_certain else 'perhaps'} {'; '.join(found)}.{doubt}"
     )
 
 

@@ -153,6 +153,8 @@ def _show_batch(found: BatchDiagnosis) -> None:
         )
     show(table)
     for each in found.sensors:
+        if each.matching:
+            tell(f"{each.sensor}: {each.matching}")
         if each.objections:
             tell(f"{each.sensor} fails: {'; '.join(each.objections)}")
     counts = found.counts

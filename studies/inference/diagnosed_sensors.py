@@ -47,6 +47,11 @@ class DiagnosedSensor:
         return self.problem or str(self.found["text"])
 
     @property
+    def matching(self) -> str:
+        """Sentence about stated points whose touches were missed or doubled; empty if there are none."""
+        return str(self.found.get("matching", ""))
+
+    @property
     def reasons(self) -> tuple[str, ...]:
         """Reasons why the sensor does not pass, that of a missing diagnosis among them."""
         return (self.problem,) if self.problem else self.objections

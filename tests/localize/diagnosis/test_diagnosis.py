@@ -246,8 +246,8 @@ def test_stated_points_are_matched_though_a_touch_is_missed_or_doubled(fault: Se
     of, libraries, options = session(fault), diagnoser().libraries, diagnoser().options
     stated = of.point.tolist()
     for signals, change, words in (
-        (without_touch(of, 8), -1, f"touch 9 (point {stated[8]}) was missed"),
-        (with_doubled_touch(of, 8), 1, f"touch 9 (point {stated[8]}) was found as 2 touches"),
+        (without_touch(of, 8), -1, "was missed"),
+        (with_doubled_touch(of, 8), 1, "was found as 2 touches"),
     ):
         spectra = touch_spectra(signals, libraries.frequency, 1e-3)
         # Presses are found as two touches where they are let go late, so the count is that of the points of touches.
@@ -264,7 +264,8 @@ def test_stated_points_are_matched_though_a_touch_is_missed_or_doubled(fault: Se
         is_known = found.point >= 0
         assert is_known.mean() > 0.9
         assert (found.point[is_known] + 1 == of.point[true[is_known]]).all()
-        assert words.split(" was ")[1] in found.note
+        true_note = f"touch {nearest.tolist().index(8) + 1} (point {stated[8]}) {words}"
+        assert true_note in found.note or (change > 0 and "perhaps" in found.note and not is_known.all())
 
 
 def test_stated_points_are_refused_where_more_than_two_touches_are_missing() -> None:

@@ -217,6 +217,11 @@ def test_the_verb_shows_the_table_and_ends_by_the_result(place: Path) -> None:
     for name in ("broken", "leaking"):
         Path("recordings", f"{name}.wav").unlink()
     assert CliRunner().invoke(app, words).exit_code == 0
+    stated = [*diagnosis_session(FaultyRig(DESIGN, 46920, None, fidelity="lumped"), 3, count=8).point.tolist(), 1]
+    Path("recordings/sound.toml").write_text(f"points = {stated}")
+    one_more = CliRunner().invoke(app, words)
+    assert "touch 9 (point 1) was missed" in " ".join(one_more.output.split())
+    assert "touch 9 (point 1) was missed" in Path("out/report.html").read_text()
     for wrong in (["diagnose", "library.nc"], ["diagnose", "library.nc", "take.wav", "--batch", "recordings"],
                   words[:4], ["diagnose", "library.nc", "take.wav", "--limits", "x.toml"]):  # fmt: skip
         assert CliRunner().invoke(app, wrong).exit_code == 2
