@@ -24,8 +24,9 @@ the rise, the hold, the fall and the standard deviation of the smoothing."""
 
 _BLOCK = 16
 """Number of frequencies of a block, whose phasors have one factor in common."""
-_NEAR = 1e-4
-"""Distance y of an edge from its removable singularity below which its series is taken."""
+_NEAR = 1e-2
+"""Distance y of an edge from its removable singularity below which its series is taken. In single precision, the
+quotients lose too many digits below it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,15 +38,15 @@ class StrokeSpectra:
     begin: ComplexArray
     """Phasor of the middle of the rise, smoothed and integrated, (..., n_freq) complex128 or complex64, s."""
     end: ComplexArray
-    """The same of the fall, (..., n_freq) complex128 or complex64, s."""
+    """Phasor of the middle of the fall, smoothed and integrated, (..., n_freq) complex128 or complex64, s."""
     falling: ComplexArray
     """Part of the fall, which is subtracted, (..., n_freq) complex128 or complex64, s."""
     up_slope: Array
-    """Derivative of the edge of the rise by the logarithm of its length, (..., n_freq) float64."""
+    """Derivative of the edge of the rise by the logarithm of its length, (..., n_freq) float64 or float32."""
     down_slope: Array
-    """The same of the fall, (..., n_freq) float64."""
+    """Derivative of the edge of the fall by the logarithm of its length, (..., n_freq) float64 or float32."""
     times: Array
-    """Rise, hold, fall and smoothing of each stroke, (..., 4) float64, s."""
+    """Rise, hold, fall and smoothing of each stroke, (..., 4) float64 or float32, s."""
 
     def chosen(self, mask: NDArray[np.bool_]) -> StrokeSpectra:
         """Spectra of some strokes, chosen along the first axis."""
@@ -100,8 +101,8 @@ def _phasors(time: Array, frequency: Array) -> ComplexArray:
 def _edge(turn: Array, length: Array, frequency: Array) -> tuple[Array, Array]:
     """Spectrum of a half sine of area one and of a length, s, and its derivative by the logarithm of the length.
 
-    Both are (..., n_freq) float64. E(x) is pi / 2 sinc(y) / (2 + 2 y) with y = (x / pi - 1) / 2, so that nothing is
-    divided by 0 where x is pi.
+    Both are (..., n_freq), of the precision of the frequency. E(x) is pi / 2 sinc(y) / (2 + 2 y) with
+    y = (x / pi - 1) / 2, so that nothing is divided by 0 where x is pi.
     """
     quarter = _phasors(length / 2, frequency)
     angle = turn * length[..., None]
@@ -109,8 +110,9 @@ def _edge(turn: Array, length: Array, frequency: Array) -> tuple[Array, Array]:
     near = np.abs(half) < _NEAR
     safe = np.where(near, 1.0, half)
     # sin(pi y) is -cos(x / 2), and cos(pi y) is sin(x / 2).
-    sinc = np.where(near, 1 - (np.pi * half) ** 2 / 6, -quarter.real / (np.pi * safe))
-    slope = np.where(near, -(np.pi**2) * half / 3, (-quarter.imag - sinc) / safe)
+    square = (np.pi * half) ** 2
+    sinc = np.where(near, 1 - square / 6 + square**2 / 120, -quarter.real / (np.pi * safe))
+    slope = np.where(near, np.pi**2 * half * (square / 30 - 1 / 3), (-quarter.imag - sinc) / safe)
     below = 2 + 2 * half
     value = np.pi / 2 * sinc / below
     return value, angle / np.pi * (np.pi / 4 * slope - value) / below

@@ -26,6 +26,15 @@ def test_a_smoothed_narrow_stroke_is_a_gaussian():
     assert np.abs(found) == pytest.approx(expected, abs=1e-5 * 1e-4)
 
 
+def test_single_precision_is_precise_near_the_singularity_of_an_edge():
+    frequency = np.arange(1.0, 125.0)
+    strokes = np.array([0.06, *np.log([0.02, 0.02, 0.02, 2e-3])]) + np.zeros((400, 1))
+    strokes[:, 1] += np.linspace(-1e-2, 1e-2, 400)
+    precise, single = (stroke_spectra(strokes.astype(kind), frequency.astype(kind)) for kind in ("f8", "f4"))
+    assert single.up_slope.dtype == np.float32
+    assert np.abs(single.up_slope - precise.up_slope).max() < 1e-3 * np.abs(precise.up_slope).max()
+
+
 @pytest.mark.parametrize("number", range(len(PARAMETERS)))
 def test_derivatives_are_differences(number):
     # The second rise makes the angle of a half sine pi at one of the frequencies.
