@@ -22,7 +22,7 @@ import geometry
 import studies
 from geometry.ground.whole_files import replace_section
 from localize import Decision, read_recording, touches_of
-from localize.model.opened_model import opened as open_decoding
+from localize.model.opening import opened as open_decoding
 from localize.recordings.touch_manifest import Part, read_touch_manifest
 from studies import Decoding
 from studies.test_rig.rig_touches import TouchSession, record_touches

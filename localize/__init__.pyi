@@ -60,7 +60,8 @@ from .live.stream_options import StreamOptions as StreamOptions, TouchOptions as
 from .live.touch_filter import TouchFilter as TouchFilter
 from .live.touches import Touch as Touch, TouchTracker as TouchTracker, touches_of as touches_of
 from .model.located_touches import LocatedTouches as LocatedTouches
-from .model.opened_model import Model as Model, open_model as open_model
+from .model.opened_model import Model as Model
+from .model.opening import open_model as open_model
 from .recalibration.self_calibration import (
     SelfCalibration as SelfCalibration,
     SelfCalibrationError as SelfCalibrationError,

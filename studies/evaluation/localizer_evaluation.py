@@ -12,7 +12,8 @@ from geometry.ground.refusal import Kind, Refusal
 from localize import evaluation
 from localize.decoders.bayes import BayesDecoder
 from localize.decoders.tolerant import tolerant_decoder
-from localize.model.opened_model import Model, ModelSource, files_of, open_library, opened
+from localize.model.opened_model import Model
+from localize.model.opening import ModelSource, files_of, open_library, opened
 from localize.signals.array_response import response_of
 from localize.signals.locator import Locator
 from localize.signals.noise_model import NoiseChoice, check_noise_choice
@@ -103,7 +104,7 @@ def _library_of(opened_model: Model, model: ModelSource, library: ModelSource | 
     """Library from which touches are made; a path that is given as model and as library is read once.
 
     Raises:
-        Refusal: none is given and the model holds no library, or as :func:`localize.model.opened_model.open_library`.
+        Refusal: none is given and the model holds no library, or as :func:`localize.model.opening.open_library`.
     """
     same = isinstance(library, (str, os.PathLike)) and isinstance(model, (str, os.PathLike))
     if library is not None and not (same and Path(str(library)) == Path(str(model))):

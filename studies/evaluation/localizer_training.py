@@ -12,7 +12,7 @@ import localize
 from acoustic_fem.library.transfer_functions import Library
 from geometry.ground.refusal import Kind, Refusal
 from localize.learned.training_plan import TrainingPlan
-from localize.model.opened_model import ModelSource, files_of, open_library
+from localize.model.opening import ModelSource, files_of, open_library
 from localize.signals.array_response import response_of
 from studies.evaluation.training_files import TOUCHES, write_recognizer_files, write_training_files
 from studies.output.display import Display

@@ -20,7 +20,8 @@ from geometry.ground.text_files import read_toml
 from localize.diagnosis.diagnosis import Diagnoser
 from localize.diagnosis.known_touches import KnownPoints
 from localize.diagnosis.production_limits import ProductionLimits, limits_of
-from localize.model.opened_model import Decoding, ModelSource, files_of, open_library
+from localize.model.decoding import Decoding
+from localize.model.opening import ModelSource, files_of, open_library
 from localize.recordings.recording import read_recording
 from localize.signals.array_response import response_of
 from studies.inference.batch_files import write_batch

@@ -11,7 +11,8 @@ from acoustic_fem.sound.sound_file import check_sound_there
 from geometry.ground.whole_files import write_text
 from localize.diagnosis.diagnosis import Diagnoser, Diagnosis
 from localize.diagnosis.known_touches import KnownPoints
-from localize.model.opened_model import Decoding, ModelSource, files_of, open_library
+from localize.model.decoding import Decoding
+from localize.model.opening import ModelSource, files_of, open_library
 from localize.recordings.recording import read_recording
 from localize.signals.array_response import response_of
 from studies.output.folders import check_new_file

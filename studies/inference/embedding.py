@@ -14,7 +14,7 @@ from localize.embedded.budget import Budget
 from localize.embedded.c_export import EmbeddedDecoder, embed
 from localize.embedded.converter import AT_OVERLOAD, Converter
 from localize.embedded.decoder_tables import Precision
-from localize.model.opened_model import ModelSource, files_of, open_library
+from localize.model.opening import ModelSource, files_of, open_library
 from localize.signals.array_response import response_of
 from localize.signals.noise_model import NoiseChoice
 from studies.output.call_defaults import BOARD, EMBEDDED_PREFIX, PRECISION

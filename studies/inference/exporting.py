@@ -8,7 +8,8 @@ from pathlib import Path
 
 import localize
 from geometry.ground.refusal import Kind, Refusal
-from localize.model.opened_model import Decoding, ModelSource, files_of, opened_as_designed
+from localize.model.decoding import Decoding
+from localize.model.opening import ModelSource, files_of, opened_as_designed
 from localize.signals.noise_model import NoiseChoice
 from studies.output.folders import check_new_file
 

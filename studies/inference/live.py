@@ -28,7 +28,9 @@ from localize.live.serial_frames import LineCounts
 from localize.live.serial_port import BoardLine, SerialSource, check_baud
 from localize.live.sound_device import DeviceSource
 from localize.live.sources import Correction, ReplaySource, Source
-from localize.model.opened_model import Decoding, Model, ModelSource, files_of, opened
+from localize.model.decoding import Decoding
+from localize.model.opened_model import Model
+from localize.model.opening import ModelSource, files_of, opened
 from localize.recordings.accelerometer import AccelerationFile
 from localize.recordings.recording import HIGHEST_RATE, LOWEST_RATE
 from localize.signals.array_facts import ArrayFacts

@@ -14,8 +14,9 @@ from acoustic_fem.sound.sound_file import check_sound_there
 from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.whole_files import write_text
+from localize.model.decoding import Decoding
 from localize.model.located_touches import RecordingResult
-from localize.model.opened_model import Decoding, ModelSource, files_of, open_library
+from localize.model.opening import ModelSource, files_of, open_library
 from localize.recordings.recording import read_recording
 from localize.signals.array_response import response_of
 from studies.output.figure_style import WIDTH, figure_in_style, line_colours, save_figure

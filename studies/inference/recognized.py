@@ -11,7 +11,8 @@ import localize
 from acoustic_fem.sound.sound_file import check_sound_there
 from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.whole_files import write_text
-from localize.model.opened_model import Decoding, ModelSource, files_of, open_library, opened
+from localize.model.decoding import Decoding
+from localize.model.opening import ModelSource, files_of, open_library, opened
 from localize.recordings.recording import read_recording
 from studies.inference.pulse_reading import check_point
 from studies.output.folders import check_new_file

@@ -16,8 +16,10 @@ from geometry.ground.typed import Array
 from geometry.ground.whole_files import write_text
 from localize.diagnosis.bad_fits import fault_of_touches
 from localize.live.events import Decision
+from localize.model.decoding import Decoding as Decoding
 from localize.model.located_touches import LocatedTouches as LocatedTouches
-from localize.model.opened_model import Decoding as Decoding, Model, ModelSource, files_of, opened
+from localize.model.opened_model import Model
+from localize.model.opening import ModelSource, files_of, opened
 from localize.recordings.accelerometer import AccelerationFile as AccelerationFile
 from localize.recordings.recording import Recording
 from studies.output.figure_style import WIDTH, figure_in_style, save_figure

@@ -19,8 +19,10 @@ from geometry.surface import PlanInSpace, plan_in_space
 from localize.evaluation.connection_faults import ConnectionFault
 from localize.evaluation.goodness_of_fit import LoudFrames, sensor_fit
 from localize.live.stream_options import MOVING
+from localize.model.decoding import Decoding
 from localize.model.located_touches import RecordingResult
-from localize.model.opened_model import Decoding, Model, ModelSource, files_of, opened_as_designed
+from localize.model.opened_model import Model
+from localize.model.opening import ModelSource, files_of, opened_as_designed
 from localize.recordings.accelerometer import AccelerationFile
 from localize.signals.array_response import ArrayResponse
 from localize.tracking.path import Track

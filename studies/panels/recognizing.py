@@ -16,7 +16,7 @@ import localize
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.argument_checks import check_choice
 from geometry.ground.refusal import Kind, Refusal
-from localize.model.opened_model import open_library
+from localize.model.opening import open_library
 from localize.recognition import LETTERS, Hand, written
 from studies.panels.touching import decode, decoder_of, without_folder
 

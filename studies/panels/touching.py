@@ -27,7 +27,8 @@ from localize.contacts import Contact
 from localize.contacts.contact import surface_of
 from localize.contacts.finger_gestures import double_tap, press, slide, tap
 from localize.live.stream_options import MOVING
-from localize.model.opened_model import Model, open_model, opened_as_designed
+from localize.model.opened_model import Model
+from localize.model.opening import open_model, opened_as_designed
 from localize.recordings.touch_manifest import TouchManifestError
 from localize.signals.array_response import response_of
 from localize.signals.resampling import check_full_scale

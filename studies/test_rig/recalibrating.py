@@ -25,7 +25,7 @@ from localize.diagnosis.bad_fits import fault_of_touches
 from localize.evaluation.goodness_of_fit import FitOptions, loudest_frames, sensor_fit
 from localize.live.front_end import HighPass
 from localize.live.stream_options import HIGH_PASS
-from localize.model.opened_model import Decoding
+from localize.model.decoding import Decoding
 from localize.recalibration.recalibration_options import RecalibrationOptions
 from localize.recordings.same_take import find_same_take
 from localize.signals.array_response import response_of

@@ -22,7 +22,7 @@ from acoustic_fem.library import exchange
 from acoustic_fem.library.transfer_functions import MEASURED, Library, measured_library
 from acoustic_fem.sound import write_wav
 from geometry import Kind, Refusal
-from localize.model.opened_model import opened_as_designed
+from localize.model.opening import opened_as_designed
 from localize.signals.array_response import response_of
 
 GRID = np.arange(1.0, 101.0, 3.0)
