@@ -1,4 +1,4 @@
-"""Motion of the whole sensor, as a disturbance that a test knows.
+"""Motion of the whole sensor, as the disturbance that the motion test models.
 
 A sensor on a hand or a robot is accelerated. The inertia of its membranes, and no touch, then moves the microphones
 (:func:`acoustic_fem.library.acceleration.acceleration_response`). A flat array is shaken along one axis, so that its

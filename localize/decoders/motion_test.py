@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem import Library
-from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.refusal import Field, Kind, Refusal
 from localize.decoders.background_test import BackgroundTest
 from localize.decoders.decoder_options import SoundOptions
 from localize.decoders.frame_covariance import ambient_covariance, check_level, check_noise
@@ -75,7 +75,7 @@ class MotionTest(BackgroundTest):
                 field="motion",
                 value=motion.largest,
                 unit="m/s2",
-                remedy="record an accelerometer and give its file as acceleration",
+                remedy=("record an accelerometer and give its file as ", Field("acceleration")),
             )
 
     def heard_by(self, microphones: tuple[str, ...]) -> MotionTest:

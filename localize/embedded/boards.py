@@ -69,7 +69,8 @@ most two microphones. Call the folder `touch_arduino` and open it in the Arduino
 otherwise the frames are counted as unsent. No silicon was tried; the tests compile and run the file with stubs in place
 of Arduino. The test bench for the host comes with the other boards.
 """
-_OTHER_MICROPHONES = """For PDM microphones with a sensitivity of S dBFS at 94 dB SPL, it is 1.41 * 10^(-S / 20) Pa.
+_OTHER_MICROPHONES = """For PDM microphones with a sensitivity of S dBFS at 94 dB SPL, the pressure of the largest
+sample is 1.41 * 10^(-S / 20) Pa, because a sine of 94 dB SPL has a peak of 1.41 Pa.
 Export again with `--board {board} --full-scale` and this number, or {by_hand}."""
 
 BOARDS: dict[BoardName, Board] = {

@@ -152,7 +152,7 @@ def warn_of_coarse(scale: SampleScale, converter: Converter, *, digital: bool = 
     if scale.noise is None or scale.pascals_per_step <= LARGEST_STEP * scale.noise:
         return
     finest = LARGEST_STEP * scale.noise
-    fixes = [_smaller_scale(converter.bits, finest, scale.full_scale, converter, digital)]
+    fixes = [_smaller_scale(converter.bits, finest, scale.full_scale, converter, digital=digital)]
     if converter.bits < BITS[1]:
         fixes.append(_more_bits(finest, scale.full_scale, converter))
     warnings.warn(
@@ -164,7 +164,7 @@ def warn_of_coarse(scale: SampleScale, converter: Converter, *, digital: bool = 
     )
 
 
-def _smaller_scale(bits: int, finest: float, full_scale: float, converter: Converter, digital: bool) -> str:
+def _smaller_scale(bits: int, finest: float, full_scale: float, converter: Converter, *, digital: bool) -> str:
     """Change of the circuit, and its option, by which a converter of so many bits has a step in Pa."""
     largest = finest * (2 ** (bits - 1) - 1)
     if digital:
@@ -178,11 +178,11 @@ def _smaller_scale(bits: int, finest: float, full_scale: float, converter: Conve
 
 def _more_bits(finest: float, full_scale: float, converter: Converter) -> str:
     """Least number of bits that has a step in Pa, at the same full scale where 16 bits suffice for it."""
-    bits = next((each for each in range(*BITS) if full_scale <= finest * (2 ** (each - 1) - 1)), BITS[1])
-    words = f"a converter with --converter-bits {bits}"
-    if full_scale <= finest * (2 ** (bits - 1) - 1):
-        return words
-    return f"{words}, {_smaller_scale(bits, finest, full_scale, converter, False)}"
+    for bits in range(converter.bits + 1, BITS[1] + 1):
+        if full_scale <= finest * (2 ** (bits - 1) - 1):
+            return f"a converter with --converter-bits {bits}"
+    smaller = _smaller_scale(BITS[1], finest, full_scale, converter, digital=False)
+    return f"a converter with --converter-bits {BITS[1]}, together with {smaller}"
 
 
 def _below(value: float) -> str:

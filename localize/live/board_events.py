@@ -53,9 +53,8 @@ class BoardListener:
         self.recent: Array = np.zeros((len(array.microphones), 1))
         """(n_microphone, 1) zeros: a board that sends touches sends no samples."""
         self._time = 0.0
+        self._lost_frames = 0  # lost frames that a notice has reported, whenever the line was opened
         self._new_run()
-        # What was lost among the frames that the line was opened with is told too.
-        self._lost_frames = 0
         try:
             for frame in line.first:
                 self._check(frame)
@@ -100,7 +99,6 @@ class BoardListener:
 
     def _new_run(self) -> None:
         self._lost_on_board: int | None = None
-        self._lost_frames = self._line.counts.lost
         self._restarts = self._line.counts.restarts
 
     def _check(self, frame: BoardFrame) -> None:

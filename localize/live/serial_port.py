@@ -117,7 +117,10 @@ class BoardLine:
             problem = f"has gone: the board was unplugged, or another program reads it too ({said_by(error)})"
             remedy = "plug the board in again, and close the other program"
             raise SourceError(problem, kind=Kind.STOPPED, field="serial", value=self.port, remedy=remedy) from None
-        return self._reader.push(received)
+        try:
+            return self._reader.push(received)
+        except SourceError as error:  # the reader does not know the port
+            raise SourceError.of(error, value=self.port) from None
 
     def taken(self) -> list[BoardFrame]:
         """Frames that came first, for whoever reads on."""

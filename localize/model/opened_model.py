@@ -161,7 +161,7 @@ class Model(Shown):
             Refusal: a recording that cannot be read or used; an acceleration of another rate or length; or a model
                 without a library beside an acceleration.
         """
-        moved = None if acceleration is None else self.acceleration(acceleration)
+        motion = None if acceleration is None else self._motion(acceleration)
         fallback = tolerant and not self.locator.needs_all_microphones and len(self.locator.microphones) > 2
         recording = read_recording(
             path,
@@ -170,46 +170,38 @@ class Model(Shown):
             fallback=fallback,
             clipped=tolerant,
             channels=channels,
-            others=() if moved is None else COLUMNS,
+            others=() if motion is None else COLUMNS,
         )
-        if moved is None:
+        if motion is None:
             return recording
-        assert self.library is not None
+        moved, library = motion
+        limit = self._clipped_from(recording.limit)
         signals = moved.taken_out_at_one_kilohertz(
-            self.library,
-            recording.signals,
-            recording.rate,
-            self.decoding.microphone_output,
-            self.clipped_from(recording.limit),
+            library, recording.signals, recording.rate, self.decoding.microphone_output, limit
         )
         return replace(recording, signals=signals)
-
-    def acceleration(self, file: AccelerationFile) -> Acceleration:
-        """Acceleration of the sensor, from a file.
-
-        Raises:
-            Refusal: a model without a library; as of :func:`localize.recordings.read_acceleration`.
-        """
-        if self.library is None:
-            problem = "needs the library of the array, which says what its motion adds to the signals"
-            raise Refusal(problem, kind=Kind.MISSING, field="acceleration", remedy=("give it as ", Field("library")))
-        return read_acceleration(file)
 
     def motion_correction(self, file: AccelerationFile) -> Correction:
         """Function that takes out of signals what the motion of the sensor adds to them, for a source.
 
         Raises:
-            Refusal: as of :meth:`acceleration`.
+            Refusal: a model without a library; as of :func:`localize.recordings.read_acceleration`.
         """
-        moved, library = self.acceleration(file), self.library
-        assert library is not None
+        moved, library = self._motion(file)
 
         def correct(signals: Array, rate: float, limit: float | None) -> Array:
-            return moved.taken_out(library, signals, rate, self.decoding.microphone_output, self.clipped_from(limit))
+            return moved.taken_out(library, signals, rate, self.decoding.microphone_output, self._clipped_from(limit))
 
         return correct
 
-    def clipped_from(self, limit: float | None) -> float | None:
+    def _motion(self, file: AccelerationFile) -> tuple[Acceleration, Library]:
+        """Acceleration of the sensor from a file, and the library, which has the responses to it."""
+        if self.library is None:
+            problem = "needs the library of the array, which says what its motion adds to the signals"
+            raise Refusal(problem, kind=Kind.MISSING, field="acceleration", remedy=("give it as ", Field("library")))
+        return read_acceleration(file), self.library
+
+    def _clipped_from(self, limit: float | None) -> float | None:
         """Pressure from which samples are taken for clipped, Pa, by the limit of their file; None if none is."""
         if self.decoding.microphone_output == "pressure":
             return limit
@@ -280,7 +272,7 @@ class Model(Shown):
         if given.rejected_fraction is not None:
             options = replace(options, rejected_fraction=given.rejected_fraction)
         equaliser = given.equaliser(locator.array)
-        limit = self.clipped_from(limit)
+        limit = self._clipped_from(limit)
         if self.response is None:
             return TouchStream(locator, limit=limit, options=options, equaliser=equaliser)
         noise, wave, sound, residual, motion = locator.microphone_noise, None, None, None, None

@@ -12,7 +12,7 @@ import numpy as np
 from acoustic_fem import Library
 from acoustic_fem.library.acceleration import AXES
 from acoustic_fem.quantities.microphone_signals import Output
-from acoustic_fem.sound.clipping import clipped_samples
+from acoustic_fem.sound.clipping import first_clipped
 from acoustic_fem.sound.sound_file import SCALED, Sound, read_sound
 from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Field, Kind, Refusal
@@ -36,8 +36,8 @@ class AccelerationFile:
     """File that an accelerometer on the housing was recorded to."""
 
     path: str | os.PathLike[str]
-    """A recording as of :func:`acoustic_fem.sound.read_sound`, also that of the microphones itself. Channels with names
-    are those of :data:`COLUMNS`; gravity is left out."""
+    """A recording as of :func:`acoustic_fem.sound.read_sound`; it may be that of the microphones itself. Named channels
+    of the acceleration are those of :data:`COLUMNS`. Gravity is left out."""
     full_scale: float | None = None
     """Acceleration at full scale of WAV, FLAC and AIFF files, m/s^2."""
     channels: Mapping[str, int] | None = None
@@ -167,10 +167,9 @@ def read_acceleration(given: AccelerationFile) -> Acceleration:
             time = np.flatnonzero(~np.isfinite(values))[0] / sound.rate
             raise Refusal(f"is not finite at {time:.3f} s", kind=Kind.UNSUITABLE, file=path, field=f"channel {name}")
         limit = None if sound.full_scale is None else sound.full_scale * scale
-        clipped = clipped_samples(values, limit)
-        if limit is not None and clipped.any():
-            time = int(clipped.argmax()) / sound.rate
-            problem = f"is clipped at {limit:.4g} m/s2, first at {time:.3f} s"
+        clipped = None if limit is None else first_clipped(values, limit)
+        if clipped is not None:
+            problem = f"is clipped at {abs(values[clipped]):.4g} m/s2, first at {clipped / sound.rate:.3f} s"
             raise Refusal(problem, kind=Kind.UNSUITABLE, file=path, field=f"channel {name}")
         samples[AXES.index(axis)] = values
     return Acceleration(samples, sound.rate, path, tuple(chosen))

@@ -1,7 +1,8 @@
 """Signals of a sensor that is moved, and signals without what its motion adds.
 
 The inertia of the membranes is a pressure on all of them at once
-(:func:`acoustic_fem.library.acceleration.acceleration_response`). An accelerometer on the housing tells it.
+(:func:`acoustic_fem.library.acceleration.acceleration_response`). An accelerometer on the housing
+measures the acceleration.
 """
 
 from __future__ import annotations
@@ -30,12 +31,22 @@ RATES = (10.0, 1e5)
 WAVED = 5.0
 #: Largest acceleration of a table under a knock, m/s^2. Assumed.
 KNOCKED = 20.0
-#: Corners of the parts of a motion that are fitted apart, and frequency from which on they are fitted, Hz.
-CORNERS, LOWEST_FITTED = (2.0, 6.0, 20.0, 60.0, 150.0), 2.0
-#: Window whose residual is compared with that of others, s; times that it is; how far a part may change, a ratio.
-WINDOW, ROUNDS, PRIOR = 0.3, 6, 0.3
-#: Residual of an as-built sensor beside its motion, in amplitude, before the fit.
+#: Corners of the low-passes that part a motion, so that a gain and its slope over frequency can be fitted, Hz. Chosen.
+CORNERS = (2.0, 6.0, 20.0, 60.0, 150.0)
+#: Frequency from which on a motion is fitted, Hz. Chosen.
+LOWEST_FITTED = 2.0
+#: Length of the windows whose residuals are compared, s. Chosen.
+WINDOW = 0.3
+#: Number of fits, each in the windows that the fit before it leaves without a touch. Chosen.
+ROUNDS = 6
+#: Residual of a window, as a multiple of the median in power, up to which it counts as one without a touch. Chosen.
+USUAL = 4.0
+#: Residual of an as-built sensor beside its motion before the fit, a fraction of the motion in amplitude. Assumed.
 UNLIKE = 0.15
+#: Standard deviation of the change of a part before the fit, a ratio. Assumed.
+PRIOR = 0.3
+#: Time within which residuals are correlated and count as one in the fit, s. Assumed.
+CORRELATED = 0.1
 #: Frequency that stands for 0 Hz in outputs of microphones, Hz.
 _LEAST = 1e-3
 #: Silence behind the signals, so that their end does not come back at their beginning, s.
@@ -157,14 +168,11 @@ def fitted_motion(signals: Array, predicted: Array, sample_rate: float = SAMPLE_
         (n_microphone, n_sample) float64, Pa.
     """
     slow = scipy.signal.butter(2, LOWEST_FITTED, "highpass", fs=sample_rate, output="sos")
-    corners = [each for each in CORNERS if each < 0.4 * sample_rate]
+    below = [scipy.signal.butter(1, each, fs=sample_rate, output="sos") for each in CORNERS if each < 0.4 * sample_rate]
     window = max(1, round(WINDOW * sample_rate))
     found = np.empty_like(predicted)
     for k, (heard, motion) in enumerate(zip(signals, predicted, strict=True)):
-        passed = [
-            scipy.signal.sosfilt(scipy.signal.butter(1, each, fs=sample_rate, output="sos"), motion) for each in corners
-        ]
-        parts = np.stack([motion, *passed])
+        parts = np.stack([motion, *(scipy.signal.sosfilt(each, motion) for each in below)])
         basis = scipy.signal.sosfilt(slow, parts, axis=1)
         left = scipy.signal.sosfilt(slow, heard) - basis[0]
         change = np.zeros(len(parts))
@@ -172,9 +180,9 @@ def fitted_motion(signals: Array, predicted: Array, sample_rate: float = SAMPLE_
         for _ in range(ROUNDS):
             size = scipy.ndimage.uniform_filter1d((left - change @ basis) ** 2, window)
             usual = float(np.median(size))
-            weight = ((size <= 4 * usual) | (size <= UNLIKE**2 * moved)).astype(np.float64)
-            # the prior lets each part change by a few tenths; the residual stands for what no part explains
-            prior = np.eye(len(parts)) * max(usual, 1e-30) / PRIOR**2 * (sample_rate / 10)
+            weight = ((size <= USUAL * usual) | (size <= UNLIKE**2 * moved)).astype(np.float64)
+            # the usual residual is the noise of the fit; the floor keeps the system regular if there is none
+            prior = np.eye(len(parts)) * max(usual, 1e-30) / PRIOR**2 * (CORRELATED * sample_rate)
             change = np.linalg.solve((basis * weight) @ basis.T + prior, (basis * weight) @ left)
         found[k] = motion + change @ parts
     return found

@@ -15,7 +15,7 @@ static float output(const int16_t *history)
     return s0 + s1;
 }
 
-/* Blocks and the rest are counted apart: instants of 16 kHz would begin again at 0 in the middle of the third day. */
+/* Blocks and the rest are counted apart: a count of instants at 16 kHz would begin again at 0 after 3.1 days. */
 static void pass(touch_decimator *decimator, uint32_t count)
 {
     decimator->number += count / TOUCH_FIR_FACTOR;

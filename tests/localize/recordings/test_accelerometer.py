@@ -145,4 +145,4 @@ def test_an_acceleration_needs_a_library(library: acoustic_fem.Library, tmp_path
     write_acceleration(path, moved_hand(), 1000.0)
     model = localize.open_model(localize.BayesDecoder(library, 1e-3))
     with refused(Kind.MISSING, "acceleration"):
-        model.acceleration(AccelerationFile(path))
+        model.motion_correction(AccelerationFile(path))

@@ -3,6 +3,7 @@
 import json
 import os
 import threading
+from binascii import crc_hqx
 
 import numpy as np
 import pytest
@@ -18,10 +19,14 @@ import studies
 from acoustic_fem.sound.sound_file import read_wav
 from geometry import Kind
 from localize.live import serial_port
+from localize.live.board_events import BoardListener
 from localize.live.events import Decision, Fault, TouchEvent
 from localize.live.listener import Notice
+from localize.live.serial_frames import FrameReader, LineCounts
 from localize.live.serial_port import BoardLine
+from localize.live.sources import SourceError
 from localize.live.touches import TouchTracker
+from localize.signals.array_response import response_of
 from studies.inference.live import check_needs_no_samples
 
 pytestmark = [needs_compiler, pytest.mark.skipif(not hasattr(os, "openpty"), reason="no terminals here")]
@@ -124,6 +129,55 @@ def test_touches_of_a_board_come_as_they_were_sent_and_what_is_lost_is_told(tmp_
     assert sum(told) == summary.line.lost == (~whole).sum() > 30
     assert sum(each.samples for each in found if isinstance(each, Fault)) == summary.samples_lost == 2
     assert len((tmp_path / "lines.jsonl").read_text().splitlines()) == len(found)
+
+
+class LineInRuns:
+    """Line to a board that is unplugged after each run of frames."""
+
+    port = "board"
+
+    def __init__(self, *runs):
+        self.counts = LineCounts()
+        self._runs = list(runs)
+        self.open()
+
+    def open(self):
+        self.first = FrameReader(self.counts).push(b"".join(self._runs.pop(0)))
+
+    def taken(self):
+        return self.first
+
+    def read(self):
+        raise SourceError("has gone", kind=Kind.STOPPED, field="serial", value=self.port)
+
+    def close(self):
+        pass
+
+
+def test_frames_lost_while_a_line_is_opened_are_told_each_time(array):
+    runs = []
+    for lost in (1, 3):
+        board = Board()
+        touches = [board.touch(100 * k, k + 1, "down", 1) for k in range(6)]
+        runs.append(touches[:1] + touches[1 + lost :])
+    listener = BoardListener(LineInRuns(*runs), response_of(array).array, wait=lambda seconds: None)
+    found = []
+    for heard in listener.listen():
+        found.append(heard.event)
+        if sum(isinstance(each, TouchEvent) for each in found) == sum(map(len, runs)):
+            break
+    told = [each.text for each in found if isinstance(each, Notice) and each.kind == "frames lost"]
+    assert told == ["1 frame of board", "3 frames of board"]
+
+
+def test_a_board_with_another_version_of_the_frames_is_named(tmp_path):
+    other = bytearray(Board().status())
+    other[2] = 2
+    other[10:12] = crc_hqx(bytes(other[:10]), 0xFFFF).to_bytes(2, "little")
+    with PseudoPort(tmp_path / "board", [bytes(other)]) as port:
+        with refused(Kind.UNSUITABLE, "serial", str(port.path)) as found:
+            BoardLine(str(port.path))
+    assert found.value.notice().startswith(f"{port.path}: sends frames of version 2;")
 
 
 def test_a_board_that_is_unplugged_is_awaited(tmp_path, array, signals, monkeypatch):
