@@ -61,7 +61,8 @@ def studio_app(design: ArrayDesign, guard: Guard, workplace: Workplace) -> ASGIA
 
     async def file(request: Request) -> Response:
         session = sessions.find(request.path_params["session"])
-        path, name = session.files.get(request.path_params["key"], (None, "")) if session is not None else (None, "")
+        files = session.exports.files if session is not None else {}
+        path, name = files.get(request.path_params["key"], (None, ""))
         if path is None or not Path(path).is_file():
             return PlainTextResponse("no such file\n", 404)
         return FileResponse(path, filename=name)

@@ -25,10 +25,10 @@ from studies.panels.form_hints import fields_without_effect, values_in_use
 from studies.panels.pinned_panel import COMPARISON, field_rows, figure_rows
 from studies.studio.drags import Drags
 from studies.studio.exploration import Exploration, file_of
+from studies.studio.exports import Exports
 from studies.studio.job_search import JobSearch
 from studies.studio.messages import MessageError, packed, text_of, written
 from studies.studio.page_words import SHARED, form_words
-from studies.studio.shared_page import shared_page
 from studies.studio.stage import Job, Stage, notifier, outcome, progress
 from studies.studio.touch_input import TouchInput
 from studies.studio.workplace import Workplace
@@ -37,9 +37,6 @@ from studies.studio.workplace import Workplace
 Send = Callable[[str | bytes], Awaitable[None]]
 #: Stages beside the curves, each shown by a panel, with the pause before they begin, s.
 STAGES = {"points": 0.12, "surface": 0.0, "verdict": 0.3, "as_built": 0.5, "model": 0.1, "check": 1.0}
-
-#: Files that a page can still fetch: a browser may ask for one after the next one was made.
-MOST_FILES = 4
 
 
 class Session:
@@ -56,7 +53,7 @@ class Session:
         self.state = DesignState(design)
         self.pinned: ArrayDesign | None = None
         self._drags = Drags(self.state, self._post)
-        self.files: dict[str, tuple[Path, str]] = {}
+        self.exports = Exports(self.id, workplace, self._post, lambda: self.is_open)
         self.exploration = Exploration(workplace, self._post)
         self._search = JobSearch(workplace, self._post)
         self._workplace = workplace
@@ -67,9 +64,6 @@ class Session:
         self.left = monotonic()
         #: Figures of the current design ("points") and of the pinned one ("pinned_points"), where they are known.
         self._compared: dict[str, dict[str, float | None]] = {}
-        self._undelivered: dict[str, Any] | None = None
-        self._exporting: asyncio.Task[None] | None = None
-        self._export_job: Job | None = None
         self._solving: asyncio.Task[None] | None = None
         self._solve_job: Job | None = None
         self.touches = TouchInput(workplace, self._post)
@@ -94,9 +88,7 @@ class Session:
         self._ask_all()
         await self._post_pinned()
         await self.exploration.post_again()
-        if self._undelivered is not None:
-            message, self._undelivered = self._undelivered, None
-            await self._post(message)
+        await self.exports.post_again()
 
     async def restore_quietly(self, values: dict[str, Any], saved: bool, send: Send) -> None:
         """Take up the design that a page kept while there was no studio, or say why not."""
@@ -120,13 +112,9 @@ class Session:
         """Nobody comes back: what is still done for the page is stopped, and its files are removed."""
         self.exploration.stop()
         self._search.stop()
-        if self._export_job is not None:
-            self._workplace.stop_apart("export", self._export_job)
+        self.exports.end()
         if self._solve_job is not None:
             self._workplace.stop_apart("solve", self._solve_job)
-        for path, _ in self.files.values():
-            self._workplace.remove(path)
-        self.files.clear()
         self.touches.forget()
 
     async def take(self, message: Mapping[str, Any]) -> None:
@@ -303,11 +291,8 @@ class Session:
 
     async def _stop(self, message: Mapping[str, Any]) -> None:
         name = text_of(message, "stage")
-        if name == "export" and self._export_job is not None:
-            self._workplace.stop_apart("export", self._export_job)
-            if self._exporting is not None and self._export_job.options[0] == SHARED and self._exporting.cancel():
-                failure = {"stage": "export", "revision": self._export_job.revision, "message": "stopped"}
-                await self._post({"type": "failed", **failure})
+        if name == "export":
+            await self.exports.stop()
         elif name == "solve" and self._solve_job is not None:
             self._workplace.stop_apart("solve", self._solve_job)
         elif name == "study":
@@ -401,7 +386,7 @@ class Session:
             return
         path = await outcome(job, self._study_file(design, message), self._post)
         if path is not None:
-            await self._hand_out(path, f"{design.name}-{path.name}")
+            await self.exports.hand_out(path, f"{design.name}-{path.name}")
 
     async def _study_file(self, design: ArrayDesign, message: Mapping[str, Any]) -> Path:
         return await self._workplace.study_file(design, file_of(design, message))
@@ -421,15 +406,7 @@ class Session:
         if name == "design.toml":
             await self._save()
             return
-        waits = self._exporting is not None and not self._exporting.done()
-        unpinned = name == COMPARISON and self.pinned is None
-        if waits or unpinned:
-            line = "one file at a time: stop the one that is made first" if waits else "pin a design first"
-            await self._post({"type": "refused-export", "message": line})
-            return
-        job = Job("export", self.state.revision, self.state.design, (name, fidelity))
-        self._export_job = job
-        self._exporting = asyncio.create_task(self._make(job))
+        await self.exports.make(Job("export", self.state.revision, self.state.design, (name, fidelity)), self.pinned)
 
     async def _save(self) -> None:
         job = Job("save", self.state.revision, self.state.design)
@@ -439,31 +416,7 @@ class Session:
         if self.state.design is job.design:
             self.state.mark_saved()
             await self._post_design(whole=False)
-        await self._hand_out(path, f"{job.design.name}.toml")
-
-    async def _make(self, job: Job) -> None:
-        name, fidelity = job.options
-        await progress(job, "begins", self._post)
-        notify = notifier(job, self._post)
-        if name == COMPARISON and self.pinned is not None:
-            work = self._workplace.comparison(job.design, self.pinned, notify, job)
-        elif name == SHARED:
-            work = shared_page(self._workplace, job, notify)
-        else:
-            work = self._workplace.export(job.design, name, fidelity, notify, job)
-        path = await outcome(job, work, self._post, "stopped")
-        if path is not None:
-            await self._hand_out(path, f"{job.design.name}-{name}", "export")
-
-    async def _hand_out(self, path: Path, name: str, stage: str = "") -> None:
-        key = secrets.token_urlsafe(16)
-        self.files[key] = (path, name)
-        for old in [*self.files][:-MOST_FILES]:
-            self._workplace.remove(self.files.pop(old)[0])
-        message = {"type": "file", "stage": stage, "name": name, "file": f"/files/{self.id}/{key}"}
-        if self._send is None:  # its page comes back: a report takes minutes
-            self._undelivered = message
-        await self._post(message)
+        await self.exports.hand_out(path, f"{job.design.name}.toml")
 
     async def _post(self, message: dict[str, Any] | bytes) -> None:
         if self._send is not None:

@@ -7,7 +7,7 @@ import {
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
 import { access } from "./access";
-import { Dimensions } from "./dimensions";
+import { Dimensions, OUTSIDE } from "./dimensions";
 import { byId, colour, hand, make, words } from "./dom";
 import { Dragging, type Hold, type Moved, toScene } from "./dragging";
 
@@ -286,8 +286,10 @@ export class ArrayPanel {
     if (bounds.isEmpty() || !this.controls) return;
     const middle = bounds.getCenter(new Vector3()), size = bounds.getSize(new Vector3());
     const tangent = Math.tan((this.camera.fov * Math.PI) / 360);
-    const room = byId<HTMLInputElement>("dimensions").checked ? 1.3 : 1.12; // the lines are outside
-    const away = Math.max(size.x / (2 * tangent * this.camera.aspect), (size.z * 0.75 + size.y) / (2 * tangent)) * room + size.z / 3;
+    // The lines are outside, and as wide on a narrow screen as on any other.
+    const outside = byId<HTMLInputElement>("dimensions").checked ? OUTSIDE : [0, 0];
+    const [across, up] = [this.place.clientWidth, this.place.clientHeight].map((each, k) => 1.12 * each / Math.max(each - 2 * outside[k], each / 3));
+    const away = Math.max(across * size.x / (2 * tangent * this.camera.aspect), up * (size.z * 0.75 + size.y) / (2 * tangent)) + size.z / 3;
     this.camera.position.copy(middle).add(new Vector3(0, 0.78, 0.62).normalize().multiplyScalar(away));
     this.controls.target.copy(middle);
     this.controls.update();

@@ -7,6 +7,8 @@ import { colour, make, words } from "./dom";
 export interface Span { size: string; title: string; edges: [Vector3, Vector3][]; value: number; }
 /** Pixels of the page: from the array to a line, from the line to its number, half a tick, half a number. */
 const AWAY = 18, TO_TEXT = 17, TICK = 4, SHORT = 40, HALF = [27, 10];
+/** Pixels beside and below an array that its lines and their numbers take. */
+export const OUTSIDE = [AWAY + TO_TEXT + 2 * HALF[0] - HALF[1], AWAY + TO_TEXT + HALF[1]];
 interface Place { x: number; y: number; }
 interface Seen extends Place { behind: boolean; }
 

@@ -20,7 +20,8 @@ from geometry.ground.process_messages import Stopped
 from geometry.stock import catalogue
 from studies.panels.curves import curves_of, quick_library
 from studies.panels.verdict_panel import verdict_figures
-from studies.studio.session import MOST_FILES, Session
+from studies.studio.exports import MOST_FILES
+from studies.studio.session import Session
 from studies.studio.sessions import MOST_SESSIONS, Sessions
 from studies.studio.stage import Job, Stage
 from studies.studio.workplace import Workplace
@@ -363,7 +364,7 @@ def test_a_design_is_saved_while_another_file_is_made(workplace: Workplace, busy
         page.texts.clear()
         session.leave(page.send)  # the link is cut while the report is made
         busy.go_on.set()
-        while not busy.done or session._exporting is None or not session._exporting.done():
+        while not busy.done or session.exports.task is None or not session.exports.task.done():
             await asyncio.sleep(0.005)
         assert page.texts == []
         await session.join(page.send)
@@ -382,10 +383,10 @@ def test_the_page_that_compares_needs_a_pinned_design(workplace: Workplace) -> N
         await session.take({"do": "pin", "on": True})
         await session.take({"do": "set", "name": "tube.length", "value": 14.0})
         await session.take({"do": "export", "name": "comparison.html"})
-        while session._exporting is None or not session._exporting.done():
+        while session.exports.task is None or not session.exports.task.done():
             await asyncio.sleep(0.05)
         assert (await page.until("file"))["name"] == "array-2x6-comparison.html"
-        ((path, _),) = session.files.values()
+        ((path, _),) = session.exports.files.values()
         return path.read_text(encoding="utf-8")
 
     assert "Comparison of array-2x6-pinned, array-2x6-now" in ended(play())
@@ -467,7 +468,7 @@ def test_a_session_that_is_given_up_leaves_no_files(workplace: Workplace) -> Non
         await first.join(page.send)
         await first.take({"do": "export", "name": "design.toml"})
         await page.until("file")
-        ((path, _),) = first.files.values()
+        ((path, _),) = first.exports.files.values()
         longest.leave(page.send)
         first.leave(page.send)
         while len(sessions) < MOST_SESSIONS:
@@ -547,7 +548,7 @@ def test_the_last_files_that_were_handed_out_can_be_fetched_and_older_ones_are_r
             page.texts.clear()
             await session.take({"do": "export", "name": "design.toml"})
             told = await page.until("file")
-            paths.append(session.files[told["file"].rsplit("/", 1)[1]][0])
+            paths.append(session.exports.files[told["file"].rsplit("/", 1)[1]][0])
         return [path.exists() for path in paths]
 
     assert ended(play()) == [False] * 2 + [True] * MOST_FILES
