@@ -17,25 +17,23 @@ import localize
 import studies
 from geometry.ground.argument_checks import whole_number
 from geometry.ground.refusal import Kind, Refusal, counted, in_one_line
-from studies.cli.locating import (
-    ArrayLibrary,
-    DecoderAmbient,
-    DecoderNoise,
-    FollowDrift,
-    Motion,
-    RejectedFraction,
-    TwoTouches,
-)
 from studies.cli.options import (
     AccelerationChannels,
     AccelerationFullScale,
     AccelerationPath,
     Altitude,
+    ArrayLibrary,
+    DecoderAmbient,
+    DecoderNoise,
+    FollowDrift,
     Lowest,
     MicrophoneOutput,
     Model,
+    Motion,
     Pressure,
+    RejectedFraction,
     Temperature,
+    TwoTouches,
     acceleration_file,
     channel_map,
     noise_choice,

@@ -136,6 +136,63 @@ AccelerationChannels = Annotated[
         "three channels are x, y and z.",
     ),
 ]
+DecoderNoise = Annotated[
+    str | None,
+    typer.Option(
+        metavar="PA",
+        help="White noise of the microphones that the decoder of a library assumes, Pa rms over 0 to 500 Hz. Default: "
+        "design, that of the design's microphone.",
+    ),
+]
+DecoderAmbient = Annotated[
+    float | None,
+    typer.Option(
+        metavar="DB",
+        help="Loudest room sound in which touches must be located, dB SPL; slower. Sound without a touch is detected "
+        "in any case. Default: a quiet room.",
+        min=0,
+        max=140,
+    ),
+]
+ArrayLibrary = Annotated[
+    Path | None,
+    typer.Option(
+        help="Library of the array. It is needed to detect room sound, and for --waveform, --ambient and --reject. "
+        "Default: MODEL, if it is a library.",
+    ),
+]
+RejectedFraction = Annotated[
+    float | None,
+    typer.Option(
+        metavar="FRACTION",
+        help="Report as 'other' the frames that no single point explains. The value is the fraction of true touches "
+        "that may be rejected, such as 1e-6. For a calibrated sensor. Default: the likeliest point is reported.",
+    ),
+]
+TwoTouches = Annotated[
+    bool,
+    typer.Option(
+        "--two-touches",
+        help="Search each contact for two taps or presses at once, such as of two fingers; needs a library.",
+    ),
+]
+Motion = Annotated[
+    float | None,
+    typer.Option(
+        metavar="M/S2",
+        help="Largest acceleration of a sensor that is worn or carried, without gravity, such as 5 for a waved hand; "
+        "needs a library. Motion without a touch is then reported as such; slow touches may be taken for it. Default: "
+        "the sensor lies still.",
+    ),
+]
+FollowDrift = Annotated[
+    bool,
+    typer.Option(
+        "--follow-drift",
+        help="Follow slow changes of the sensor's stiffness, such as ageing rubber or other air. For a calibrated "
+        "library.",
+    ),
+]
 OwnStock = Annotated[
     Path | None,
     typer.Option(

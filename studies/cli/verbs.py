@@ -111,8 +111,8 @@ VERBS = {
     "pulse": Entry(
         "locating", "Use", "Read the pulse of a finger that rests on the array, from a recording.", ("train",)
     ),
-    "onnx": Entry("locating", "Use", "Export a localizer as one ONNX graph.", ("train",)),
-    "embed": Entry("locating", "Use", "Export the decoder of a library as C99 source for a microcontroller."),
+    "onnx": Entry("decoder_exports", "Use", "Export a localizer as one ONNX graph.", ("train",)),
+    "embed": Entry("decoder_exports", "Use", "Export the decoder of a library as C99 source for a microcontroller."),
     "convert": Entry(
         "calibrations", "Use", "Convert a library without loss to another format, or to a state space or a circuit."
     ),
