@@ -8,7 +8,7 @@ from localize.embedded.converter import SampleScale
 from localize.embedded.decoder_tables import EmbeddedTables
 from localize.embedded.source import named_points, table_bytes
 from localize.live.events import HOP
-from localize.live.serial_port import BAUD
+from localize.live.stream_options import BAUD
 from localize.signals.stimulus import SAMPLE_RATE
 
 #: Usual speeds of a line above that of the boards, bit/s.

@@ -19,11 +19,10 @@ from geometry.ground.refusal import Field, Kind, counted, said_by
 from geometry.ground.typed import Array
 from localize.live.serial_frames import BoardFrame, FrameReader, LineCounts, SampleFrame, StatusFrame, TouchFrame
 from localize.live.sources import QUEUE, Block, BlockQueue, SourceError, rate_out_of_range
+from localize.live.stream_options import BAUD
 from localize.recordings.channel_choice import chosen_channels
 from localize.recordings.recording import HIGHEST_RATE, LOWEST_RATE
 
-BAUD = 115200
-"""Speed of a serial line where none is given, bit/s."""
 FIRST_FRAME = 3.0
 """Time within which a board must send a frame after its port is opened, s; it sends its state four times a second."""
 NEARLY = 1 - 1e-4

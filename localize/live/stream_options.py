@@ -9,6 +9,8 @@ from geometry.ground.argument_checks import check_range
 HIGH_PASS = 3.0
 """Corner of the high-pass of all microphones where none is given, Hz: the lowest at which the rest of a touch is soon
 below its noise."""
+BAUD = 115200
+"""Speed of a serial line where none is given, bit/s."""
 MOVING = 5.0
 """Radius of a contact that moves where none is given, mm: a finger."""
 

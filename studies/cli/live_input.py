@@ -17,6 +17,7 @@ import localize
 import studies
 from geometry.ground.argument_checks import whole_number
 from geometry.ground.refusal import Kind, Refusal, counted, in_one_line
+from localize.live.stream_options import BAUD
 from studies.cli.options import (
     AccelerationChannels,
     AccelerationFullScale,
@@ -39,7 +40,7 @@ from studies.cli.options import (
     noise_choice,
 )
 from studies.cli.terminal_tables import show, table_of, tell
-from studies.output.call_defaults import BAUD, FULL_SCALE
+from studies.output.call_defaults import FULL_SCALE
 
 if TYPE_CHECKING:
     from localize.live.listener import Heard

@@ -119,9 +119,9 @@ AccelerationPath = Annotated[
     typer.Option(
         "--acceleration",
         metavar="FILE",
-        help="Recording of an accelerometer on the housing, whose part is taken out of the signals: channels "
-        "x_m_per_s2, y_m_per_s2 and z_m_per_s2, without gravity, sampled with the microphones. It may be RECORDING "
-        "itself. Needs a library. Default: the sensor lies still.",
+        help="Recording of an accelerometer on the housing. The pressures of this motion are subtracted from the "
+        "signals. Its channels are x_m_per_s2, y_m_per_s2 and z_m_per_s2, without gravity, sampled with the "
+        "microphones. It may be RECORDING itself. Needs a library. Default: the sensor lies still.",
     ),
 ]
 AccelerationFullScale = Annotated[
@@ -245,8 +245,8 @@ def acceleration_file(path: Path | None, full_scale: float | None, channels: str
             raise typer.BadParameter(f"{name} needs --acceleration")
     if path is None:
         return None
-    axes = channel_map(channels, "--acceleration-channels", "axis")
-    return studies.AccelerationFile(path, full_scale, None if axes is None else {k.lower(): n for k, n in axes.items()})
+    axes = channel_map(None if channels is None else channels.lower(), "--acceleration-channels", "axis")
+    return studies.AccelerationFile(path, full_scale, axes)
 
 
 def noise_choice(given: str | None) -> NoiseChoice:

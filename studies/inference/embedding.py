@@ -22,7 +22,7 @@ from studies.output.folders import check_folder, claimed_folder, replaced_files
 
 #: List of the files of an earlier call, and a file by which a folder of one without it is known.
 _LIST, _MARK = "decoder-files.txt", "touch_decoder.h"
-#: End of the name of a file that every project has behind its prefix.
+#: What follows the prefix in the name of a header that every project has.
 _HEADER = "_decoder.h"
 
 
@@ -65,9 +65,8 @@ def embed_decoder(
         board: board whose sources are added: ``cortex-m``, ``zephyr`` or ``arduino``.
 
     Raises:
-        Refusal: over the budget, with the numbers; a file that cannot be read, a folder of others or of
-            another prefix, or as
-            :func:`localize.embedded.embed`.
+        Refusal: over the budget, with the numbers; a file that cannot be read, a folder of others or of another prefix,
+            or as :func:`localize.embedded.embed`.
     """
     folder = Path(out)
     check_folder(folder, "embed", _LIST, _MARK, reads=files_of(library))

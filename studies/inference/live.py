@@ -68,20 +68,19 @@ class LiveInput:
     baud: int | None = None
     """Speed of the serial line, bit/s, by default 115,200. USB serial ports ignore it."""
     acceleration: AccelerationFile | None = None
-    """File of an accelerometer on the housing, whose part is taken out of the file that is played."""
+    """File of an accelerometer on the housing; the pressures of its motion are subtracted from the file of ``replay``."""
 
     def __post_init__(self) -> None:
         source = next((name for name in ("serial", "replay") if getattr(self, name) is not None), "device")
         for name, (sources, remedy) in _TAKEN_BY.items():
             if source not in sources:
-                of_source = " beside " if source != "device" else " without "
-                beside = Field(source if source != "device" else "serial")
-                check_unused({name: getattr(self, name)}, (of_source, beside), remedy)
+                why = (" without ", Field("serial")) if source == "device" else (" beside ", Field(source))
+                check_unused({name: getattr(self, name)}, why, remedy)
         if self.rate is not None:
             check_range("rate", self.rate, LOWEST_RATE, HIGHEST_RATE, "Hz", whole=True)
         if self.acceleration is not None and self.replay is None:
             raise Refusal(
-                ("needs ", Field("replay"), "; the part of the motion is taken out of whole recordings"),
+                ("needs ", Field("replay"), ", because motion is subtracted from whole recordings only"),
                 kind=Kind.CONFLICT,
                 field="acceleration",
             )

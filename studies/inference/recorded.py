@@ -61,8 +61,8 @@ def locate_recording(
             channels or by their order.
         correct: whether a reversed, exchanged or late microphone is corrected before touches are located, if the check
             of the sensor finds one; by default the fault is reported and probabilities are lowered.
-        acceleration: file of an accelerometer on the housing, whose part is taken out of the signals; by default the
-            sensor is taken to lie still.
+        acceleration: file of an accelerometer on the housing; the pressures of its motion are subtracted from the
+            signals. By default the sensor lies still.
 
     Raises:
         Refusal: a file that cannot be written or read, or options that contradict each other.

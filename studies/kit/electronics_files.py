@@ -176,7 +176,7 @@ def _levels_csv(levels: ExpectedLevels) -> str:
                 clipped = "yes" if levels.is_clipped(pressure, each) else "no"
                 row += [f"{pressure:.4g}", volts, f"{each.decibels(kept):.1f}", clipped]
             headroom = each.decibels(levels.overload) - each.decibels(point.touch)
-            largest = levels.force * min(levels.overload, each.full_scale) / point.touch
+            largest = levels.largest_tap(point, each)
             table.writerow([*row, f"{headroom:.1f}", f"{largest:.2g}", f"{each.noise_steps:.3g}"])
     return text.getvalue()
 

@@ -121,6 +121,10 @@ class ExpectedLevels:
         """True if the microphone or the logger cuts the peak of a pressure (Pa) off."""
         return self.recorded(pressure, logger) < pressure
 
+    def largest_tap(self, point: PointLevel, logger: LoggerLevels) -> float:
+        """Largest force of a tap on a point that is clipped neither by the microphone nor by the logger, N."""
+        return self.force * min(self.overload, logger.full_scale) / point.touch
+
     @property
     def survived_force(self) -> float:
         """Force of a tap at which the loudest point makes :data:`SURVIVED`, N."""

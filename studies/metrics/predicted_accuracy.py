@@ -73,7 +73,8 @@ benchmarks/verdicts.py decoded 0.1 points below its interval."""
 _DRAWN: dict[tuple[Air, int], DrawnAirAndRubber] = {}
 _NOISE_SEED, _CALIBRATION_SEED = 1, 2
 _SWEPT = BinnedOptions(draws=96, splits=2)
-"""Half of the draws and of the hypotheses: two thirds of the time, and figures that differ by a percent rms."""
+"""Half of the draws and of the hypotheses of :func:`as_built_accuracy`, because this takes two thirds of the time.
+Accuracies of the same sensors differ by 1 percentage point rms."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -182,8 +183,8 @@ def swept_accuracies(
 ) -> Mapping[str, Array]:
     """Mean accuracies of as-built sensors of the designs of a sweep for a run's touches, (n_design,) of each kind.
 
-    The sensor as designed is left out and the decoder is followed less finely than by :func:`as_built_accuracy`, which
-    takes a third of the time; figures of the same sensors differ by 1 percentage point rms.
+    This takes a third of the time of :func:`as_built_accuracy`, because the sensor as designed is left out and the
+    decoder is followed less finely. Accuracies of the same sensors differ by 1 percentage point rms.
 
     Args:
         designs: the arrays.

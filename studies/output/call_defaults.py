@@ -16,8 +16,6 @@ FULL_SCALE = 1.0
 """Pressure at full scale of live input, Pa."""
 RECALIBRATION_SECONDS = 60.0
 """Processor time after which the search of a recalibration ends, s."""
-BAUD = 115200
-"""Speed of a serial line, bit/s."""
 PRECISION: Literal["float32"] = "float32"
 """Numbers of the tables of an exported decoder."""
 EMBEDDED_PREFIX = "touch"

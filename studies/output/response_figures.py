@@ -158,6 +158,11 @@ def draw_separability(separability: Separability, path: str | os.PathLike[str]) 
         return save_figure(figure, path)
 
 
+def percent_of_touches(confusion: NDArray[np.int64]) -> NDArray[np.float64]:
+    """Percent of the touches of the row's point that were assigned to the column's point; 0 without touches."""
+    return np.asarray(100 * confusion / np.maximum(confusion.sum(axis=1, keepdims=True), 1))
+
+
 def draw_confusion(
     confusion: NDArray[np.int64], points: Sequence[int | str], path: str | os.PathLike[str], what: str = "point"
 ) -> Path:
@@ -173,12 +178,11 @@ def draw_confusion(
     """
     from matplotlib.colors import LogNorm
 
-    touches = np.maximum(confusion.sum(axis=1, keepdims=True), 1)
     with _matrix_panel() as (figure, axes):
         _matrix(
             axes,
             figure,
-            np.ma.masked_equal(100 * confusion / touches, 0.0),
+            np.ma.masked_equal(percent_of_touches(confusion), 0.0),
             points,
             lambda value: "" if value == 0 else f"{value:.1f}" if value < 99.95 else "100",
             norm=LogNorm(0.1, 100.0, clip=True),

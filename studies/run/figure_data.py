@@ -14,6 +14,7 @@ from studies.output.response_figures import (
     comparison_panels,
     difference_panels,
     in_band,
+    percent_of_touches,
     transfer_panels,
 )
 from studies.run.findings import AGREEMENT
@@ -40,8 +41,7 @@ def figure_data(result: RunResult) -> dict[str, dict[str, Any]]:
     distance = result.separability.combined.copy()
     np.fill_diagonal(distance, np.nan)
     found["separability"] = _matrix(distance, points, framed, row="point", column="point", unit="")
-    confusion = result.network.confusion
-    percent = 100 * confusion / np.maximum(confusion.sum(axis=1, keepdims=True), 1)
+    percent = percent_of_touches(result.network.confusion)
     found["confusion"] = _matrix(percent, points, [], row="touched point", column="located point", unit=" %")
     return {figure: {**own, "name": f"{name}-{figure}"} for figure, own in found.items()}
 

@@ -88,7 +88,8 @@ def convert_library(
     Args:
         library: the file to read: netCDF (``.nc``), SOFA (``.sofa``), ``.npz``, ``.mat`` or ``.csv``.
         out: the file to write, with one of these suffixes, ``.npz`` or ``.mat`` for a state space, ``.cir`` for a
-            circuit, or ``.s14p`` for the impedances between its 14 ports. A measured library is never overwritten.
+            circuit, or ``.s14p`` for the impedances between its 14 ports. Measured libraries and Touchstone files are
+            never overwritten.
         content: "library", "state-space" or "circuit"; by default a circuit for ``.cir`` and Touchstone files, and else
             a library.
         touch: input of a state space at each membrane: "force" (N), the default, or "volume-velocity" (m^3/s).
