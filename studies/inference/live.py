@@ -68,7 +68,7 @@ class LiveInput:
     baud: int | None = None
     """Speed of the serial line, bit/s, by default 115,200. USB serial ports ignore it."""
     acceleration: AccelerationFile | None = None
-    """File of an accelerometer on the housing; the pressures of its motion are subtracted from the file of ``replay``."""
+    """File of an accelerometer on the housing; the pressures of its motion are subtracted from ``replay``."""
 
     def __post_init__(self) -> None:
         source = next((name for name in ("serial", "replay") if getattr(self, name) is not None), "device")

@@ -81,7 +81,7 @@ def _multi_sine_frames() -> tuple[ComplexArray, Array]:
 def _stroke_frames(touch: Touch, force: float | None) -> tuple[NDArray[np.complex64], NDArray[np.complex64]]:
     """Frames of strokes per value of the cavity at each node, and per its conjugate; (n_node, COUNT, 2 n_bin) each.
 
-    Between the nodes a cavity is a cubic spline in log f, so that a design is multiplied at the nodes, not at every line.
+    A cavity is a cubic spline in log f between the nodes, so that only the nodes of a design are multiplied.
     """
     forth, back = _analysis(True)
     spectrum = _spectra(touch, force)
