@@ -82,9 +82,8 @@ def _lines(sensor: SensorCircuit, frequency: Array) -> Iterator[str]:
         yield f"! Port[{number}] = {name}"
     yield "# HZ Z RI R 1"
     for f, matrix in zip(frequency, port_impedances(sensor, frequency), strict=True):
-        # Version 1 has two ports in one line, column by column; any other number has a line for each row.
-        rows = [matrix.T.ravel()] if len(ports) == 2 else list(matrix)
-        for row, values in enumerate(rows):
+        # Version 1 has a line for each row of a matrix, but for two ports, fewer than any array has.
+        for row, values in enumerate(matrix):
             for first in range(0, len(values), _NUMBERS_IN_A_LINE):
                 part = " ".join(f"{value.real:.12g} {value.imag:.12g}" for value in values[first:][:_NUMBERS_IN_A_LINE])
                 yield f"{f:.12g} {part}" if row == first == 0 else f" {part}"

@@ -167,10 +167,11 @@ def place_of(page: Any, part: str) -> tuple[float, float]:
     return place[0], place[1]
 
 
-def figure_value(text: str) -> float:
-    """Value of a figure as the page writes it, in its unit; small forces are in uN or nN."""
-    number, *unit = text.replace("\N{MINUS SIGN}", "-").split()
-    return float(number) * {"\N{MICRO SIGN}N": 1e-6, "nN": 1e-9}.get(unit[0] if unit else "", 1.0)
+def figure_of(text: str) -> tuple[float, str]:
+    """Value and unit of a figure as the page writes it, forces in N; a figure without a unit has an empty one."""
+    number, _, unit = text.replace("\N{MINUS SIGN}", "-").partition(" ")
+    prefix = {"\N{MICRO SIGN}N": 1e-6, "nN": 1e-9}.get(unit)
+    return (float(number), unit) if prefix is None else (float(number) * prefix, "N")
 
 
 def field(page: Any, name: str) -> Any:

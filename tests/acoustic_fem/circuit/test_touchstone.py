@@ -3,7 +3,6 @@
 from pathlib import Path
 
 import numpy as np
-import pytest
 from libraries import library_of
 from refusals import refused
 
@@ -22,8 +21,7 @@ def read(path: Path, ports: int) -> tuple[np.ndarray, np.ndarray]:
     assert [line for line in lines if line.startswith("#")] == ["# HZ Z RI R 1"]
     numbers = np.array(" ".join(line for line in lines if line[0] not in "!#").split(), float)
     table = numbers.reshape(-1, 1 + 2 * ports**2)
-    values = (table[:, 1::2] + 1j * table[:, 2::2]).reshape(-1, ports, ports)
-    return table[:, 0], values.transpose(0, 2, 1) if ports == 2 else values
+    return table[:, 0], (table[:, 1::2] + 1j * table[:, 2::2]).reshape(-1, ports, ports)
 
 
 def array(points: int) -> acoustic_fem.Library:
@@ -71,6 +69,6 @@ def test_a_name_with_another_number_of_ports_is_refused_with_the_right_one(tmp_p
         studies.convert_library(tmp_path / "library.nc", tmp_path / "sensor.s2p")
     assert "must be a name that ends with .s5p, for 3 points and 2 microphones" in str(found.value)
     (tmp_path / "measured.s5p").write_text("! measured")
-    with pytest.raises(Exception, match="exists, and a file that may be a measurement is never overwritten"):
+    with refused(Kind.EXISTS, "out", file="measured.s5p"):
         studies.convert_library(tmp_path / "library.nc", tmp_path / "measured.s5p")
     assert (tmp_path / "measured.s5p").read_text() == "! measured"

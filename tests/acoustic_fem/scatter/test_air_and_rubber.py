@@ -120,10 +120,7 @@ def test_membranes_are_stiffened_together_and_evenly_in_the_logarithm(scattered:
         AirAndRubber(stiffening=(0.1, 1.0))
 
 
-@pytest.mark.parametrize(
-    "changed",
-    [{"membrane.thickness": 0.55}, pytest.param({"membrane.thickness": 0.45}, marks=pytest.mark.slow), {}],
-)
+@pytest.mark.parametrize("changed", [{"membrane.thickness": 0.55}, {"membrane.thickness": 0.45}, {}])
 @pytest.mark.slow
 def test_bulged_membranes_that_scatter_are_those_of_a_changed_design(changed: dict[str, float]) -> None:
     bulged = DESIGN.with_values({"air.overpressure": 2000.0})

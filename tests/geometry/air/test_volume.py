@@ -222,10 +222,9 @@ def check_random_shell(size, ports, fraction):
     return True
 
 
-@pytest.mark.parametrize("examples", [6, pytest.param(many(40), marks=pytest.mark.slow)])
 @pytest.mark.slow
-def test_random_shells_are_filled_or_refused_by_name(examples):
-    built = []
+def test_random_shells_are_filled_or_refused_by_name():
+    built, examples = [], many(40)
 
     @settings(max_examples=examples, derandomize=True, deadline=None, suppress_health_check=list(HealthCheck))
     @given(sizes, port_lists, st.floats(0.1, 1.0))

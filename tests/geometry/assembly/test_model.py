@@ -301,6 +301,9 @@ def test_the_page_holds_the_model_and_asks_for_nothing_else(tmp_path):
 
     page = write_viewer(put_together("array-2x6"), tmp_path / "array.html").read_text(encoding="utf-8")
     assert not re.search(r"""<(script|link|img|iframe)[^>]+(src|href)="(?!data:)""", page)
+    assert "@import" not in page
+    # The script fetches the model, which is in the page; the only address in it is the name of XHTML.
+    assert set(re.findall(r"""\b(?:https?|wss?)://[^\s"'`]+""", page)) == {"http://www.w3.org/1999/xhtml"}
     content = re.search(r'data:model/gltf-binary;base64,([A-Za-z0-9+/=]+)"', page)
     assert content is not None
     (tmp_path / "model.glb").write_bytes(base64.b64decode(content.group(1)))

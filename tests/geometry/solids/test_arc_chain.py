@@ -20,8 +20,8 @@ def twisted(turn=1.2):
     return np.vstack([[0.0, 0, 0], bend, bend[-1] + 2 * along / np.linalg.norm(along)])
 
 
-def centres(start, along, ends):
-    """Circles of a chain by their directions at the end, followed from the start; a direction for each arc."""
+def directions(start, along, ends):
+    """Direction at the end of each arc of a chain; at its start each goes on in that of the arc before."""
     for end in ends:
         chord = end - start
         along = 2 * (chord @ along) / (chord @ chord) * chord - along
@@ -35,7 +35,7 @@ def test_a_chain_ends_where_the_curve_does_and_in_its_direction(turn):
     ends = arc_ends(course)
     np.testing.assert_allclose(ends[-1], course[-2], atol=1e-12)
     first, last = course[1] - course[0], course[-1] - course[-2]
-    *_, along = centres(course[1], first / np.linalg.norm(first), ends)
+    *_, along = directions(course[1], first / np.linalg.norm(first), ends)
     np.testing.assert_allclose(along, last / np.linalg.norm(last), atol=1e-9)
 
 

@@ -397,10 +397,9 @@ def test_engraved_digits_of_a_small_shell_do_not_break_into_its_sockets():
         build_random({**size, "shape": "cylinder"}, extra, 1.0, 3, label)
 
 
-@pytest.mark.parametrize("examples", [6, pytest.param(many(30), marks=pytest.mark.slow)])
 @pytest.mark.slow
-def test_random_shells_are_watertight_or_refused_by_name(examples):
-    built = []
+def test_random_shells_are_watertight_or_refused_by_name():
+    built, examples = [], many(30)
 
     @settings(max_examples=examples, derandomize=True, deadline=None, suppress_health_check=list(HealthCheck))
     @given(sizes, features, st.floats(0.1, 1.0), st.integers(1, 4), st.integers(0, 250))

@@ -32,13 +32,17 @@ def test_places_between_points_lie_on_the_capsule(fingertip):
     random = np.random.default_rng(3)
     apart = np.linalg.norm(fingertip.plan[:, None] - fingertip.plan[None], axis=2)
     near = np.argsort(apart, axis=1)[:, :3]
-    between = np.einsum("nk,nkc->nc", random.dirichlet(np.ones(3), len(near)), fingertip.plan[near])
+    weights = random.dirichlet(np.ones(3), len(near))
+    between = np.einsum("nk,nkc->nc", weights, fingertip.plan[near])
     places, normals = fingertip.at(between)
     axis = np.column_stack([0 * places[:, :2], np.minimum(places[:, 2], 18.0)])
     radius = np.linalg.norm(places - axis, axis=1)
     top = 9 + 0.4 + 0.6 + 1.3 + 0.2
-    # A chord between neighbours 6.2 mm apart would sink by 0.42 mm.
-    np.testing.assert_allclose(radius, top, atol=6.2**2 / (8 * top))
+    # Flat facets between three points sink by up to 1.4 mm; the smooth surface is off by a third of it at most.
+    flat = np.einsum("nk,nkc->nc", weights, fingertip.places[near])
+    sunk = top - np.linalg.norm(flat - np.column_stack([0 * flat[:, :2], np.minimum(flat[:, 2], 18.0)]), axis=1)
+    assert np.abs(radius - top).max() < sunk.max() / 3
+    assert np.sqrt(np.mean((radius - top) ** 2)) < 0.25
     assert np.einsum("nc,nc->n", normals, (places - axis) / radius[:, None]).min() > np.cos(np.radians(8))
 
 

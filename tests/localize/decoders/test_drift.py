@@ -64,9 +64,7 @@ def test_a_drift_is_followed_from_the_tenth_touch(modulus: float) -> None:
 @pytest.mark.parametrize(
     "there",
     [
-        pytest.param(
-            {"temperature_c": 32.0, "humidity": 0.85, "hours": 0.25}, id="worn and sweating", marks=pytest.mark.slow
-        ),
+        pytest.param({"temperature_c": 32.0, "humidity": 0.85, "hours": 0.25}, id="worn and sweating"),
         pytest.param({"altitude": 1000.0, "hours": 0.0}, id="climbed"),
     ],
 )

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+import re
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 import acoustic_fem
 import geometry
@@ -200,9 +202,9 @@ def estimates(fault: SensorFault | None, points: tuple[int, ...]) -> dict[int, T
     ("fault", "points"),
     [
         (SensorFault("blocked tube", (6,), 0.35), (2, 6, 11)),
-        pytest.param(SensorFault("leak", (5,), 0.3), (2, 6, 11), marks=pytest.mark.slow),
-        pytest.param(SensorFault("exchanged microphones", (1, 2)), tuple(range(1, 13)), marks=pytest.mark.slow),
-        pytest.param(None, (2, 6, 11), marks=pytest.mark.slow),
+        (SensorFault("leak", (5,), 0.3), (2, 6, 11)),
+        (SensorFault("exchanged microphones", (1, 2)), tuple(range(1, 13))),
+        (None, (2, 6, 11)),
     ],
 )
 @pytest.mark.slow
@@ -240,32 +242,35 @@ def with_doubled_touch(of: DiagnosisSession, number: int) -> Array:
     return np.concatenate([of.signals[:, :end], of.signals[:, begin:]], axis=1)
 
 
+def made_by(of: DiagnosisSession, start: Array) -> NDArray[np.int64]:
+    """Number of the touch that each found one is of, by its beginning."""
+    return np.abs(start[:, None] - of.time).argmin(1)
+
+
 @pytest.mark.physics
 @pytest.mark.parametrize("fault", [None, SensorFault("leak", (9,), 0.3)])
 def test_stated_points_are_matched_though_a_touch_is_missed_or_doubled(fault: SensorFault | None) -> None:
     of, libraries, options = session(fault), diagnoser().libraries, diagnoser().options
-    stated = of.point.tolist()
-    for signals, change, words in (
-        (without_touch(of, 8), -1, "was missed"),
-        (with_doubled_touch(of, 8), 1, "was found as 2 touches"),
-    ):
+    # Presses are found as two touches where they are let go late, so a point is stated for each touch that is found.
+    nearest = made_by(of, touch_spectra(of.signals, libraries.frequency, 1e-3).start)
+    points = of.point[nearest].tolist()
+    (number,) = np.flatnonzero(nearest == 8) + 1
+
+    def matched(signals: Array, again: float = np.inf, later: float = 0.0) -> str:
         spectra = touch_spectra(signals, libraries.frequency, 1e-3)
-        # Presses are found as two touches where they are let go late, so the count is that of the points of touches.
-        whole = touch_spectra(of.signals, libraries.frequency, 1e-3)
-        nearest = np.abs(whole.start[:, None] - of.time).argmin(1)
-        points = [stated[k] for k in nearest]
-        assert len(spectra.start) == len(points) + change
         found = known_touches(points, spectra, libraries, options)
-        step = round(1000 * (of.time[9] - of.time[8]))
-        true = np.abs(
-            (spectra.start - np.where((change > 0) & (spectra.start > of.time[9] - 0.1), step / 1000, 0.0))[:, None]
-            - of.time
-        ).argmin(1)
         is_known = found.point >= 0
         assert is_known.mean() > 0.9
+        true = made_by(of, spectra.start - later * (spectra.start > again))
         assert (found.point[is_known] + 1 == of.point[true[is_known]]).all()
-        true_note = f"touch {nearest.tolist().index(8) + 1} (point {stated[8]}) {words}"
-        assert true_note in found.note or (change > 0 and "perhaps" in found.note and not is_known.all())
+        assert f"and {len(spectra.start)} touches were found" in found.note
+        return found.note
+
+    assert f"touch {number} (point {of.point[8]}) was missed" in matched(without_touch(of, 8))
+    note = matched(with_doubled_touch(of, 8), of.time[9] - 0.1, of.time[9] - of.time[8])
+    # A touch of a neighbouring point may be as likely the one that came twice; then the point between is unknown.
+    (doubled,) = re.findall(r"touch \d+ \(point (\d+)\) was found as 2 touches", note)
+    assert int(doubled) == of.point[8] or (abs(int(doubled) - of.point[8]) == 1 and "uncertain" in note)
 
 
 def test_stated_points_are_refused_where_more_than_two_touches_are_missing() -> None:

@@ -30,15 +30,16 @@ def written(folder: Path) -> Path:
 def race(compiler: str, folder: Path, *options: str) -> subprocess.CompletedProcess[str]:
     command = [compiler, "-std=c11", "-Wall", "-Wextra", "-Wconversion", "-Werror", *options, "-I.", str(RACE)]
     subprocess.run([*command, "touch_ring.c", "-pthread", "-o", "race"], cwd=folder, check=True)
-    return subprocess.run(["./race"], cwd=folder, capture_output=True, text=True, check=False, timeout=300)
+    done = subprocess.run(["./race"], cwd=folder, capture_output=True, text=True, check=False, timeout=300)
+    if "FATAL: ThreadSanitizer: unexpected memory mapping" in done.stderr:
+        pytest.skip("the addresses of this system are more random than its thread sanitizer allows")
+    return done
 
 
 @pytest.mark.parametrize("compiler", COMPILERS)
 @pytest.mark.parametrize("options", [("-O3",), ("-O1", "-g", "-fsanitize=thread")], ids=["O3", "sanitizer"])
 def test_what_a_thread_puts_another_one_gets(compiler: str, options: tuple[str, ...], tmp_path: Path) -> None:
     done = race(compiler, written(tmp_path), *options)
-    if "FATAL: ThreadSanitizer" in done.stderr:
-        pytest.skip("the thread sanitizer does not run on this system")
     assert done.returncode == 0, done.stdout + done.stderr[:2000]
     got, lost, gaps, end = map(int, done.stdout.split())
     assert got + lost == end
@@ -48,15 +49,14 @@ def test_what_a_thread_puts_another_one_gets(compiler: str, options: tuple[str, 
 
 @pytest.mark.parametrize("compiler", COMPILERS)
 def test_the_sanitizer_finds_a_ring_that_publishes_without_an_order(compiler: str, tmp_path: Path) -> None:
-    """What the ring was before: counts that are volatile, and samples that are not."""
+    """Counts that are volatile give the samples no order."""
     source = written(tmp_path) / "touch_ring.c"
     text = source.read_text(encoding="utf-8")
     text = text.replace("__atomic_load_n(count, __ATOMIC_ACQUIRE)", "*(const volatile uint32_t *)count")
     text = text.replace("__atomic_store_n(count, value, __ATOMIC_RELEASE)", "*(volatile uint32_t *)count = value")
+    assert "__atomic" not in text
     source.write_text(text, encoding="utf-8")
     done = race(compiler, tmp_path, "-O1", "-g", "-fsanitize=thread")
-    if "FATAL: ThreadSanitizer" in done.stderr:
-        pytest.skip("the thread sanitizer does not run on this system")
     assert done.returncode != 0
     assert "data race" in done.stderr
 
@@ -81,6 +81,7 @@ def test_on_a_cortex_the_order_is_a_barrier_and_no_call(core: str, tmp_path: Pat
 def test_a_compiler_without_barriers_is_refused(tmp_path: Path) -> None:
     command = [COMPILERS[0], "-std=c99", "-U__GNUC__", "-E", "touch_ring.c"]
     found = subprocess.run(command, cwd=written(tmp_path), capture_output=True, text=True, check=False)
+    assert found.returncode != 0
     assert "needs gcc, clang or C11 with atomics" in found.stderr
 
 

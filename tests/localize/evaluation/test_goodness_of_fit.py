@@ -93,11 +93,15 @@ def with_margins(response: ArrayResponse) -> np.ndarray:
     return touches.signals[..., -FRAME - 2 * MARGIN :].numpy()
 
 
-@pytest.mark.parametrize("fault", [
-    ConnectionFault("reversed", ("A",)),
-    pytest.param(ConnectionFault("late", ("A",), 0.02), marks=pytest.mark.slow),
-    ConnectionFault("late", ("A",), -0.0075),
-], ids=str)  # fmt: skip
+@pytest.mark.parametrize(
+    "fault",
+    [
+        ConnectionFault("reversed", ("A",)),
+        ConnectionFault("late", ("A",), 0.02),
+        ConnectionFault("late", ("A",), -0.0075),
+    ],
+    ids=str,
+)
 @pytest.mark.slow
 def test_a_fault_of_the_connection_is_found_without_a_calibration(
     decoder: localize.TolerantDecoder, made: ArrayResponse, fault: ConnectionFault

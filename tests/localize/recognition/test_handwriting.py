@@ -135,16 +135,18 @@ def test_a_recognizer_of_letters_learns_and_tells(surface: ArrayResponse) -> Non
     maker = LetterMaker((LineReader(surface, 1e-4),), (surface,), 5, 1e-4)
     maps, kind = maker.maps("evaluation", 26)
     assert (own.of_maps(maps).argmax(1) == kind.numpy()).mean() > 0.2
-    take = ContactRecorder(surface, microphone_noise=1e-4).take(written("O", surface, Hand(), seed=8))
     quiet = 1e-4 * np.random.default_rng(0).standard_normal((2, 2500))
-    signals = np.concatenate([quiet, take.signals, quiet, take.signals, quiet], axis=1)
-    told = FilterBank(surface, own).touches(signals, None, None, localize.BayesDecoder(surface, 1e-4))
-    assert len(told) == 2
-    # The same letter twice, cut elsewhere into frames. O is one that so short a training tells: of others the likeliest
-    # three change with the cut.
-    likeliest = [set(each.probability.argsort()[-3:].tolist()) for each in told]
-    assert len(likeliest[0] & likeliest[1]) >= 2
-    assert told[0].end < told[1].start
+    common = []
+    for letter in LETTERS[::4]:
+        take = ContactRecorder(surface, microphone_noise=1e-4).take(written(letter, surface, Hand(), seed=8))
+        signals = np.concatenate([quiet, take.signals, quiet, take.signals, quiet], axis=1)
+        first, second = FilterBank(surface, own).touches(signals, None, None, localize.BayesDecoder(surface, 1e-4))
+        assert first.end < second.start
+        likeliest = [set(each.probability.argsort()[-3:].tolist()) for each in (first, second)]
+        common.append(len(likeliest[0] & likeliest[1]))
+    # The same letter twice, cut elsewhere into frames. So short a training changes its mind about a letter or two;
+    # of three letters drawn by chance 0.35 would be common.
+    assert np.mean(common) > 1.5
 
 
 @pytest.mark.slow

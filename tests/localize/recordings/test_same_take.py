@@ -92,7 +92,7 @@ def everywhere(signals):
 
 @pytest.mark.parametrize(
     ("name", "rate", "bits", "point"),
-    [("24-bit.wav", 1000, 24, 2), pytest.param("compact-disc.wav", 44100, 16, 3, marks=pytest.mark.slow)],
+    [("24-bit.wav", 1000, 24, 2), ("compact-disc.wav", 44100, 16, 3)],
 )
 @pytest.mark.slow
 def test_a_copy_of_another_format_is_refused_at_every_point(manifest, rig, response, name, rate, bits, point) -> None:

@@ -12,7 +12,7 @@ from browser import (
     Studio,
     downloaded,
     field,
-    figure_value,
+    figure_of,
     give,
     lit,
     opened,
@@ -63,7 +63,7 @@ def test_every_panel_shows_a_design_and_a_click_lights_its_point(
     assert page.locator("#points-table tbody tr").count() == design.point_count
     for figure, value in figures["figures"].items():
         text = page.locator(f"#figures [data-figure='{figure}'] dd").inner_text()
-        assert figure_value(text) == pytest.approx(value, rel=1e-3)
+        assert figure_of(text)[0] == pytest.approx(value, rel=1e-3)
     before = page.locator("#space canvas").screenshot()
     page.locator("tr[data-point='3']").click()
     assert page.locator("#point").input_value() == "3"

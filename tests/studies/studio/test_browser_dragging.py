@@ -71,16 +71,19 @@ def test_parts_that_are_held_are_turned_with_the_array(page: Any) -> None:
     page.mouse.up()
     page.wait_for_timeout(300)
     assert page.evaluate(f"{ROOT}.revision") == "0"
+    page.evaluate("document.querySelector('.stage .pop').open = true")
+    page.check("#movable")
+    page.evaluate("document.querySelector('.stage .pop').open = false")
+    turned = found(page, "membrane 6")
+    assert abs(turned[0] - start[0]) + abs(turned[1] - start[1]) > 10
 
 
 def test_a_size_is_typed_on_its_dimension_line(page: Any) -> None:
     shown(page, "model")
     page.check("#dimensions")
     sizes = {each: page.locator(f"[data-size='{each}']") for each in ("x", "y", "z", "pitch")}
-    assert {each: box.input_value() for each, box in sizes.items()} == {
-        **{"x": "117.3", "y": "28.5", "z": "4.53"},
-        "pitch": "18.5",
-    }
+    shown_sizes = {each: box.input_value() for each, box in sizes.items()}
+    assert shown_sizes == {"x": "117.3", "y": "28.5", "z": "4.53", "pitch": "18.5"}
     sizes["pitch"].fill("20")
     sizes["pitch"].press("Enter")
     until(page, f"{ROOT}.revision === '1' && {DRAWN}")
