@@ -125,7 +125,7 @@ _STATED_BY = {
     "floor_thickness": "resonator.floor_thickness",
     "membrane_height": "resonator.cavity_height",
 }
-#: How far membranes may stand above or below a body in whose pockets their shells lie, mm.
+#: How far membranes may stand above or below a body in whose pockets their shells lie, mm; assumed.
 _FLUSH = 0.1
 
 

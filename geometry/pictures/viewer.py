@@ -17,6 +17,7 @@ import geometry
 from geometry.assembly.model import LOOKS, ArrayModel, array_model
 from geometry.assembly.order_table import assembly_steps, assembly_text
 from geometry.design.array_design import ArrayDesign
+from geometry.ground.page_parts import page_parts
 from geometry.ground.refusal import counted
 from geometry.ground.whole_files import made_folder, whole_file
 from geometry.layout.overlaps import schematic_notes
@@ -67,17 +68,15 @@ def write_viewer(
         "size": list(array_size(design, model.layout)),
         "notes": list(schematic_notes(design, model.layout)),
     }
-    folder = resources.files(geometry) / "templates"
-    template, style, script = (
-        (folder / f"array-page.{suffix}").read_text(encoding="utf-8") for suffix in ("html", "css", "js")
-    )
+    template = (resources.files(geometry) / "templates" / "array-page.html").read_text(encoding="utf-8")
+    style, script = page_parts("array-page")
     environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined)
     page = environment.from_string(template).render(
         name=design.name,
         facts=f"{counted(design.point_count, 'point')}, {counted(len(design.microphones), 'microphone')}",
         table=assembly_text(design, assembly_steps(model)),
         style=style,
-        script=script.replace("</script", "<\\/script"),
+        script=script,
         # JSON reads the escaped sign as the plain one, and no label ends the element too early.
         model=json.dumps({"name": design.name, "model": shown}, separators=(",", ":")).replace("<", "\\u003c"),
     )

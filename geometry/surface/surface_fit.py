@@ -66,7 +66,7 @@ class FittedSurface:
     stretch: float
     """Root mean square by which distances of neighbours differ in the unrolled plan, as a fraction."""
     rim_gap: float
-    """Largest gap that the bend of the body leaves under the floor of a shell or a housing, mm."""
+    """Largest gap that the bend of the body leaves under a shell or a housing, mm, or beside its top in a pocket."""
 
     @property
     def uncovered(self) -> float:
@@ -282,8 +282,12 @@ class _Fit:
         """
         if self.stated.seat == "in":
             return at
-        below = floor - self.stated.base + self.design.resonator.port_axis_height
-        return lifted_over(self.ground, at, normals, radius, below, self.stated.base)
+        return lifted_over(self.ground, at, normals, radius, self._above_rim(floor), self.stated.base)
+
+    def _above_rim(self, floor: float) -> float:
+        """Height of the ports of a part above its rim, mm: that of its underside, or in a pocket of its flush top."""
+        base = self.stated.base if self.stated.seat == "on" else 0.0
+        return floor - base + self.design.resonator.port_axis_height
 
     def _spread(self, seed: int) -> Array:
         count = self.points
@@ -390,16 +394,21 @@ class _Fit:
             laid.normals,
             self.cavity,
         )
-        gap = max(
-            widest_gap(self.ground, laid.points, laid.normals, self.outer),
-            widest_gap(self.ground, laid.microphones, laid.microphone_normals, self.seats.trunk),
+        discs = (
+            (laid.points, laid.normals, self.outer, self.floor),
+            (laid.microphones, laid.microphone_normals, self.seats.trunk, self.microphone_floor),
         )
+        gap = max(
+            widest_gap(self.ground, at - self._above_rim(floor) * normals, normals, radius)
+            for at, normals, radius, floor in discs
+        )
+        where = "under the rims of" if self.stated.seat == "on" else "between the body and the flush tops of"
         stretch = plan_in_space(laid.design, laid.layout).stretch
         findings = [
             *self.findings,
             f"{len(laid.points)} points, {mean:.3g} mm apart with a scatter of {100 * scatter:.1f} %",
             f"{counted(kinds, 'kind')} of shells; tubes in steps of {laid.step:g} mm, bent to {bend:.2g} mm at most",
-            f"gaps of up to {gap:.2g} mm under the rims of shells and housings, where the body is bent",
+            f"gaps of up to {gap:.2g} mm {where} shells and housings, where the body is bent",
             f"the unrolled plan is off by {100 * stretch:.1f} % between neighbours",
         ]
         if len(laid.points) != self.points:

@@ -69,11 +69,11 @@ class Cast:
     poured: float
     """Silicone in the cavities of one cast, ml."""
     mixed: float
-    """Silicone to mix for one cast, with what overflows and stays in the cup, ml."""
+    """Silicone that one cast takes at least, with what overflows and stays in the cup, ml."""
     grams: float
     """Mass of that, g."""
     batch_grams: float
-    """Mass that is mixed for one cast, g: at least :data:`SMALLEST_BATCH`."""
+    """Mass to mix for one cast, g: at least :data:`SMALLEST_BATCH`."""
     batch: float
     """Volume of that, ml."""
     shims: tuple[str, ...]
@@ -81,7 +81,7 @@ class Cast:
     overflow: float
     """Silicone that flows over the rims into the grooves, ml."""
     wasted: float
-    """Fraction of the mixed silicone that becomes no membrane of the array, in the mean over all casts."""
+    """Fraction of the batches that becomes no membrane of the array, in the mean over all casts."""
     film: float
     """Thickness of the silicone on the lands a minute after the weight is put on, mm."""
     opening: OpeningForces
@@ -124,6 +124,8 @@ def _cast(model: ArrayModel, name: str, alike: ArrayDesign, needed: int, casts: 
     over = overflow(plan) / 1000
     mixed = max(poured * bill.waste.silicone_factor, (poured + over) * _CUP)
     grams = mixed * density / 1000
+    batch_grams = max(grams, SMALLEST_BATCH)
+    batch = 1000 * batch_grams / density
     of_kind = name.removeprefix("membrane")
     shims = [
         f"mold-shim-{step}{of_kind} raises the lid by {step * plan.mold.shim_step:g} mm"
@@ -138,11 +140,11 @@ def _cast(model: ArrayModel, name: str, alike: ArrayDesign, needed: int, casts: 
         poured=poured,
         mixed=mixed,
         grams=grams,
-        batch_grams=max(grams, SMALLEST_BATCH),
-        batch=1000 * max(grams, SMALLEST_BATCH) / density,
+        batch_grams=batch_grams,
+        batch=batch,
         shims=tuple(shims),
         overflow=over,
-        wasted=1 - needed * volume / (casts * mixed),
+        wasted=1 - needed * volume / (casts * batch),
         film=closed_film(plan),
         opening=plan.forces,
         ejector=plan.ejector,

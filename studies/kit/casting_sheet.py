@@ -28,8 +28,8 @@ def casting_words(cast: Cast) -> str:
     return (
         f"{cast.membrane}: {counted(cast.casts, 'cast')} with {counted(cast.cavities, 'cavity')} for "
         f"{counted(cast.needed, 'membrane')}. Mix {cast.batch_grams:.3g} g ({cast.batch:.3g} ml) a cast{_batch(cast)}. "
-        f"The cavities take {cast.poured:.3g} ml, {cast.overflow:.3g} ml flow over the rims, at least {left:.3g} ml "
-        f"stay in the cup, {cast.mixed:.3g} ml ({cast.grams:.3g} g) together. {_spare_words(cast)}"
+        f"A cast takes at least {cast.mixed:.3g} ml ({cast.grams:.3g} g): the cavities hold {cast.poured:.3g} ml, "
+        f"{cast.overflow:.3g} ml flow over the rims, and {left:.3g} ml stay in the cup. {_spare_words(cast)}"
     )
 
 
@@ -41,7 +41,7 @@ def _batch(cast: Cast) -> str:
 def _spare_words(cast: Cast) -> str:
     """Where spare membranes come from."""
     if cast.spare:
-        return f"{counted(cast.spare, 'membrane')} of them are spare."
+        return f"The casts make {counted(cast.spare, 'spare membrane')}."
     return (
         "No cavity is left for a spare membrane: if one tears, cast once more from a new cup, which the order list "
         "includes."

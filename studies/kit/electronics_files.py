@@ -41,7 +41,7 @@ class Electronics:
     wires: tuple[Wire, ...]
     """Wires to the most suitable logger; the calibration microphone is the last."""
     gentle: tuple[LongestTouch, ...]
-    """Largest forces of touches of some lengths that are not clipped."""
+    """Largest forces of touches of some lengths that are not clipped at the most suitable logger."""
     clashes: tuple[str, ...]
     """Microphones the head of whose board may touch other parts."""
 
@@ -73,7 +73,7 @@ def electronics_of(model: ArrayModel) -> Electronics:
     logger = levels.loggers[0].logger if levels.loggers else None
     clashes = () if wiring.board is None else head_clashes(model, wiring.board)
     wires = (*wiring.wires(model.design, logger), reference_wire(model.design, logger))
-    return Electronics(wiring, levels, wires, gentle_touches(model.design), clashes)
+    return Electronics(wiring, levels, wires, gentle_touches(model.design, levels), clashes)
 
 
 def recorded_options(electronics: Electronics) -> str:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from importlib.metadata import version
 from pathlib import Path
 
 import geometry
@@ -15,6 +14,7 @@ from geometry.assembly.order_table import write_assembly_table
 from geometry.assembly.part_list import Origin
 from geometry.body.reading import Body as SolidBody
 from geometry.formats.part_files import ExportedFile, SharedShape, tessellate_distinct
+from geometry.ground.extras import installed_version
 from geometry.ground.whole_files import write_text
 from geometry.printing.plates import export_plates
 from geometry.printing.printability import PrintReport
@@ -207,8 +207,8 @@ def _first_words(name: str, has_body: bool) -> str:
     lines += [f"{job}  {words}" for job, words in jobs.items()]
     lines += [
         "",
-        f"Recording and calibrating need acoustic-fem {version('acoustic-fem')}, which wrote this kit, on a computer",
-        "with Python 3.11 or newer. Install it from its source: in the folder with its pyproject.toml type",
+        f"Recording and calibrating need acoustic-fem {installed_version('acoustic-fem')}, which wrote this kit, on a",
+        "computer with Python 3.11 or newer. Install it from its source: in the folder with its pyproject.toml type",
         "pip install '.[fem,live]'. Then make the library of the sensor, which every recording is compared with:",
         f"acoustic-fem solve {BUILD}/design.toml --out library.nc",
     ]

@@ -81,7 +81,7 @@ class LoggerLevels:
 
 @dataclass(frozen=True)
 class LongestTouch:
-    """Largest force of a touch of one length that no microphone clips, on the loudest point."""
+    """Largest force of a touch of one length that is not clipped, on the loudest point."""
 
     seconds: float
     """Length of the touch, down and up again, s."""
@@ -113,9 +113,13 @@ class ExpectedLevels:
     verdict: tuple[str, ...]
     """Sentences on the overload of the microphone, with a remedy where touches reach it."""
 
+    def largest_pressure(self, logger: LoggerLevels) -> float:
+        """Pressure above which the microphone or the logger clips, Pa."""
+        return min(self.overload, logger.full_scale)
+
     def recorded(self, pressure: float, logger: LoggerLevels) -> float:
-        """Largest sample of a peak pressure (Pa) at a logger, Pa: that of the microphone or of the logger at most."""
-        return min(pressure, self.overload, logger.full_scale)
+        """Largest sample of a peak pressure (Pa) at a logger, Pa."""
+        return min(pressure, self.largest_pressure(logger))
 
     def is_clipped(self, pressure: float, logger: LoggerLevels) -> bool:
         """True if the microphone or the logger cuts the peak of a pressure (Pa) off."""
@@ -123,7 +127,7 @@ class ExpectedLevels:
 
     def largest_tap(self, point: PointLevel, logger: LoggerLevels) -> float:
         """Largest force of a tap on a point that is clipped neither by the microphone nor by the logger, N."""
-        return self.force * min(self.overload, logger.full_scale) / point.touch
+        return self.force * self.largest_pressure(logger) / point.touch
 
     @property
     def survived_force(self) -> float:
@@ -157,16 +161,17 @@ def expected_levels(design: ArrayDesign) -> ExpectedLevels:
     return ExpectedLevels(force, microphone.overload, sensitivity, points, tuple(found), largest, verdict)
 
 
-def gentle_touches(design: ArrayDesign) -> tuple[LongestTouch, ...]:
+def gentle_touches(design: ArrayDesign, levels: ExpectedLevels) -> tuple[LongestTouch, ...]:
     """Largest forces without clipping of touches of the :data:`TOUCH_LENGTHS`: slow ones may be larger.
 
     Args:
         design: the array.
+        levels: its levels; touches are recorded by the most suitable logger.
     """
     per_newton = [loudest_taps([design], seconds=length)[0].max() / design.target.force for length in TOUCH_LENGTHS]
-    overload = design.microphone.overload
+    largest = levels.largest_pressure(levels.loggers[0]) if levels.loggers else levels.overload
     return tuple(
-        LongestTouch(length, overload / float(level)) for length, level in zip(TOUCH_LENGTHS, per_newton, strict=True)
+        LongestTouch(length, largest / float(level)) for length, level in zip(TOUCH_LENGTHS, per_newton, strict=True)
     )
 
 

@@ -49,6 +49,8 @@ from studies.output.display import Report
 _T = TypeVar("_T")
 #: Rows of a table that surely fit on one page, so that no table is cut.
 _ROWS = 22
+#: Side of a small label at most, mm, and by the diameter of a shell: a square of 0.71 would reach its edge.
+_LABEL, _LABEL_OF_SHELL = 13.0, 0.68
 #: Points beside each other in a row of the record sheet.
 _ACROSS = 2
 
@@ -160,7 +162,7 @@ def _content(facts: Facts, shapes: Sequence[SharedShape], report: Report) -> dic
         "holding": holding_words(model),
         "cure_words": cure_words,
         "recorded": recorded_options(facts.electronics),
-        "label_side": min(13.0, 0.68 * design.resonator.outer_diameter),
+        "label_side": min(_LABEL, _LABEL_OF_SHELL * design.resonator.outer_diameter),
         "resin": facts.process.name in ("sla-resin", "dlp-fine"),
         "casting_words": casting_words,
         "closing_words": closing_words,

@@ -101,7 +101,7 @@ class Wiring:
 
 
 def reference_wire(design: ArrayDesign, logger: Logger | None) -> Wire:
-    """Way of the calibration microphone, which is recorded after the microphones of the array.
+    """Wire of the calibration microphone, which has the channel after those of the array.
 
     Args:
         design: the array.
@@ -203,8 +203,8 @@ def _notes(board: BoardPlan, housing: float) -> Iterator[str]:
             "order, because no other check can find a wrong pin."
         )
     yield (
-        f"The board leaves the housing by {-board.head[0][0] - housing:.1f} mm. The solids show only the part in "
-        "the seat, and the size of the array leaves the head out."
+        f"The head of the board ends {-board.head[0][0] - housing:.1f} mm outside the housing. The solids show only "
+        "the part of the board that lies in the seat, so the stated size of the array does not include the head."
     )
     yield (
         "File the two inner corners at the neck square, because a milling cutter leaves them round. The board must lie "

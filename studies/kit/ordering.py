@@ -297,9 +297,9 @@ def spare_pieces(count: int, fraction: float) -> int:
     return max(1, math.ceil(fraction * count)) if count else 0
 
 
-def printed_spares(parts: PartSet, spares: Spares | None = None) -> dict[str, int]:
+def printed_spares(parts: PartSet) -> dict[str, int]:
     """Spare pieces of each printed part of the array; a mold is made once."""
-    fraction = (spares or Spares()).made
+    fraction = Spares().made
     return {
         name: spare_pieces(parts.counts[name], fraction)
         for name in parts

@@ -24,7 +24,7 @@ def write_record(design: ArrayDesign, bill: Bill, electronics: Electronics, fold
     Args:
         design: the array.
         bill: its bill of materials.
-        electronics: state the channels and the full scale of the recordings.
+        electronics: the channels and the full scale of the recordings.
         folder: exists.
 
     Returns:

@@ -78,6 +78,23 @@ def test_shells_of_the_example_stand_on_the_capsule(example):
         assert outwards @ part.normal > 0.995
 
 
+def test_the_gap_of_the_example_is_that_between_its_undersides_and_the_capsule(example):
+    """Largest difference of the distances of one underside's places from the capsule, in closed form."""
+    layout, resonator, microphone = lay_out(example), example.resonator, example.microphone
+    below = microphone.wall_thickness + microphone.chamber_height / 2 - resonator.port_axis_height
+    discs = [(point, resonator.outer_diameter / 2, resonator.floor_thickness) for point in layout.points]
+    trunk = microphone.chamber_diameter / 2 + microphone.wall_thickness
+    discs += [(each, trunk, max(below, resonator.floor_thickness)) for each in layout.microphones]
+    gaps = []
+    for part, radius, under in discs:
+        angles = np.linspace(0, 2 * np.pi, 73)
+        rim = [layout.frame(part).at(radius * np.cos(a), radius * np.sin(a), -under) for a in angles]
+        x, y, z = np.array([layout.frame(part).at(0.0, 0.0, -under), *rim]).T
+        gaps.append(np.ptp(np.hypot(np.hypot(x, y), np.maximum(z - 18, 0.0))))
+    (words,) = [each for each in example.layout.frozen.findings if each.startswith("gaps")]
+    assert float(words.split()[4]) == pytest.approx(max(gaps), abs=0.015)
+
+
 def test_the_cells_of_the_example_are_those_of_places_thrown_at_the_capsule(example):
     """Against great circles and lines of the half ball and cylinder, whose region is known in closed form."""
     top = 9 + 0.4 + 0.6 + 1.3 + 0.2

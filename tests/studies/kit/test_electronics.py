@@ -17,7 +17,7 @@ from geometry.assembly.model import ArrayModel, array_model
 from geometry.stock import Logger, StockMicrophone, catalogue
 from studies.kit.electronics_files import electronics_of, recorded_options, write_electronics
 from studies.kit.expected_signals import microphone_loss
-from studies.kit.logger_levels import FIRM_TAP, ExpectedLevels, expected_levels
+from studies.kit.logger_levels import FIRM_TAP, ExpectedLevels, expected_levels, gentle_touches
 from studies.kit.microphone_wiring import coupling_capacitor, head_clashes, wiring_of
 from studies.kit.record_sheet import write_record
 from studies.verdict.tap_levels import loudest_taps
@@ -131,7 +131,6 @@ def test_the_files_say_where_each_wire_goes_and_each_level(model: ArrayModel, tm
     assert "assumed" in order
     rows = list(csv.DictReader((tmp_path / "5-build" / "levels.csv").open(encoding="utf-8")))
     assert len(rows) == 12 * len(electronics.levels.loggers)
-    row = rows[0]
     clipped = 28.3 * 12.589
     for row in rows:
         for force in ("0.1 N", "1 N"):
@@ -180,6 +179,18 @@ def test_slow_touches_may_be_harder_before_they_are_clipped(model: ArrayModel) -
     nominal = electronics.levels.overload / tap.force
     assert pressure == pytest.approx(nominal, rel=0.3)
     assert electronics.levels.survived_force > electronics.first_touch.force
+
+
+def test_a_touch_that_only_the_logger_clips_is_clipped_too(levels: ExpectedLevels) -> None:
+    design = geometry.prototype("array-2x6")
+    narrow = replace(levels.loggers[0], full_scale=levels.overload / 2)
+    point = levels.points[0]
+    assert levels.is_clipped(0.6 * levels.overload, narrow)
+    assert not levels.is_clipped(0.6 * levels.overload, levels.loggers[0])
+    halved = gentle_touches(design, replace(levels, loggers=(narrow,)))
+    for half, whole in zip(halved, gentle_touches(design, levels), strict=True):
+        assert half.force == pytest.approx(whole.force / 2)
+    assert levels.recorded(point.firm, narrow) == narrow.full_scale
 
 
 def test_the_output_at_10_hz_has_the_high_pass_of_the_microphone(model: ArrayModel) -> None:

@@ -183,7 +183,7 @@ def test_the_silicone_of_a_cast_adds_up(kit: studies.MadeParts) -> None:
         assert in_cavities + over + left == pytest.approx(mixed, rel=1e-3)
         assert left > 0.1 * mixed
         assert int(row["casts"]) * int(row["cavities"]) >= int(row["needed"])
-        kept = int(row["needed"]) * own / (int(row["casts"]) * mixed)
+        kept = int(row["needed"]) * own / (int(row["casts"]) * float(row["batch_ml"]))
         assert float(row["wasted"]) == pytest.approx(1 - kept, abs=1e-3)
         assert f"{float(row['mixed_ml']):.3g} ml" in words
         assert f"Mix {float(row['batch_g']):.3g} g ({float(row['batch_ml']):.3g} ml)" in words
