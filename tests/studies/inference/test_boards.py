@@ -174,9 +174,11 @@ def test_a_board_with_another_version_of_the_frames_is_named(tmp_path):
     other = bytearray(Board().status())
     other[2] = 2
     other[10:12] = crc_hqx(bytes(other[:10]), 0xFFFF).to_bytes(2, "little")
-    with PseudoPort(tmp_path / "board", [bytes(other)]) as port:
-        with refused(Kind.UNSUITABLE, "serial", str(port.path)) as found:
-            BoardLine(str(port.path))
+    with (
+        PseudoPort(tmp_path / "board", [bytes(other)]) as port,
+        refused(Kind.UNSUITABLE, "serial", str(port.path)) as found,
+    ):
+        BoardLine(str(port.path))
     assert found.value.notice().startswith(f"{port.path}: sends frames of version 2;")
 
 
