@@ -159,7 +159,14 @@ def draw_separability(separability: Separability, path: str | os.PathLike[str]) 
 
 
 def percent_of_touches(confusion: NDArray[np.int64]) -> NDArray[np.float64]:
-    """Percent of the touches of the row's point that were assigned to the column's point; 0 without touches."""
+    """Percent of the touches of the row's point that were assigned to the column's point; 0 without touches.
+
+    Args:
+        confusion: (n_point, n_point) int64 counts.
+
+    Returns:
+        (n_point, n_point) float64.
+    """
     return np.asarray(100 * confusion / np.maximum(confusion.sum(axis=1, keepdims=True), 1))
 
 
