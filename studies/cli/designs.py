@@ -87,7 +87,7 @@ def check(
     """Say whether a design will work, why not, and which change helps most.
 
     The verdict comes first: works, marginal or does not work, with the worst reasons and a computed remedy for each.
-    Four figures follow: as-built accuracy of taps, smallest force, size and cost. Everything else, such as the print
+    Four figures follow: as-built accuracy of taps, smallest tap, size and cost. Everything else, such as the print
     rules and the parts to buy, takes a line each with its worst finding; --full prints the tables. The exit code is 0
     if the design works, 3 if it is marginal, and 1 if it does not work or cannot be read. With --fix the exit code is
     that of the fixed design. Parts are drawn and measured but nothing is solved in 3-D, so it takes seconds. Guide:

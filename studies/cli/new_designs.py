@@ -171,7 +171,7 @@ def _show_proposals(found: Proposals) -> None:
         "strength",
         "points",
         "size (mm)",
-        "smallest force",
+        "smallest tap",
         "taps (%)",
         "cost (USD)",
         "verdict",

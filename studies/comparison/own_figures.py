@@ -225,7 +225,7 @@ def _accuracies(design: ArrayDesign) -> dict[str, OwnFigure]:
 
 
 def _judged(design: ArrayDesign, drawn: Drawn | None) -> dict[str, OwnFigure]:
-    """Verdict with the rule that is broken worst, and the smallest force that every point can locate."""
+    """Verdict with the rule that is broken worst, and the smallest tap that is detected on every point."""
     try:
         verdict = Verdict(design, drawn=drawn)
         broken = verdict.broken

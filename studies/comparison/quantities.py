@@ -155,7 +155,7 @@ _OWN = (
     Quantity("verdict", "verdict", OVERVIEW, order=OUTCOMES,
              definition="Verdict of acoustic-fem check."),
     Quantity("reason", "worst reason", REASONS, definition="Rule of the verdict that is broken worst."),
-    Quantity("smallest_force", "smallest force", OVERVIEW, "N", "smaller",
+    Quantity("smallest_force", "smallest tap", OVERVIEW, "N", "smaller",
              "Smallest force of a tap that every point can locate: it must stand out of the noise at two microphones."),
     *(Quantity(f"as_built_{touch}", f"as-built accuracy of {words}", OVERVIEW if touch == "taps" else ACCURACY,
                better="larger", fraction=True, step=ACCURACY_STEP,

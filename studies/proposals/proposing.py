@@ -28,7 +28,7 @@ class Proposal(Shown):
     design: ArrayDesign
     """The design."""
     verdict: Verdict
-    """Verdict on it, which holds its accuracy, smallest force, size and cost."""
+    """Verdict on it, which holds its accuracy, smallest tap, size and cost."""
     strength: str
     """Strength of the design among those proposed, in words."""
 
@@ -39,7 +39,7 @@ class Proposal(Shown):
             "strength": self.strength,
             "points": design.point_count,
             "size (mm)": " x ".join(f"{side:.1f}" for side in figures.size),
-            "smallest force": force_in_words(figures.smallest_force),
+            "smallest tap": force_in_words(figures.smallest_force),
             "as-built taps": f"{figures.taps:.1%}",
             "cost (USD)": f"{figures.cost:.2f}",
         }

@@ -156,7 +156,7 @@ class Verdict(Shown):
 
     @cached_property
     def figures(self) -> VerdictFigures:
-        """As-built accuracy of taps, smallest force, size and cost."""
+        """As-built accuracy of taps, smallest tap, size and cost."""
         heard = self.values["heard"].value
         limit = next(rule.works for rule in RULES if rule.name == "heard")
         return VerdictFigures(

@@ -60,7 +60,7 @@ def overload_lines(verdict: Verdict) -> Iterator[str]:
         yield (
             f"- not judged: a tap of {force:g} N reaches {number(verdict.loudest_tap)} Pa, "
             f"{verdict.above_overload:.1f} dB above the overload of the microphone ({overload:g} Pa), so it is clipped;"
-            " a microphone whose overload is above this pressure would hear it whole"
+            " a microphone with a higher overload records it whole"
         )
 
 
@@ -85,7 +85,7 @@ def figure_rows(verdict: Verdict) -> tuple[tuple[str, str, str], ...]:
     limit = rule_named("heard").works
     return (
         ("as-built accuracy of taps", taps, f"taps of {verdict.design.target.force:g} N, not calibrated"),
-        ("smallest force", force_in_words(force), f"a tap {limit:g} dB above the noise at two microphones"),
+        ("smallest tap", force_in_words(force), f"a tap {limit:g} dB above the noise at two microphones"),
         ("size", f"{length:.1f} x {width:.1f} x {figures.size[2]:.1f} mm", "with tubes and microphones"),
         ("cost", f"{figures.cost:.2f} USD", "materials of one array, assumed prices"),
     )

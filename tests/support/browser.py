@@ -152,7 +152,7 @@ _SEARCH = """(name) => {
     for (let across = 0.02; across < 0.98; across += 0.01) {
       const [clientX, clientY] = [frame.left + across * frame.width, frame.top + down * frame.height];
       sheet.dispatchEvent(new PointerEvent("pointermove", { clientX, clientY }));
-      if (document.getElementById("pointed-part").textContent.startsWith(`${name}:`)) return [clientX, clientY];
+      if (document.getElementById("pointed-part").textContent.startsWith(`\u00b7 ${name}:`)) return [clientX, clientY];
     }
   }
   return null;

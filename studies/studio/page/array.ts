@@ -55,6 +55,9 @@ export class ArrayPanel {
   private still = make("canvas");
   private touched: number | null = null;
   private pointed: number | null = null;
+  /** The colours of the membranes are newer than the still picture; the timer draws it anew. */
+  private recoloured = false;
+  private later = 0;
   private asked = false;
   private inSight = false;
   private owed = false;
@@ -175,8 +178,15 @@ export class ArrayPanel {
     if (this.inSight && !this.asked && this.renderer) this.copy();
   }
 
-  /** The colours of the points have changed. */
-  recolour(): void { if (this.home.size) this.arrange(); }
+  /** The colours of the points have changed: filled on the picture that is there, then drawn in three dimensions. */
+  recolour(): void {
+    if (!this.home.size) return;
+    if (!this.inSight || this.asked || !this.renderer) return this.arrange();
+    this.recoloured = true;
+    this.copy();
+    window.clearTimeout(this.later);
+    this.later = window.setTimeout(() => this.arrange(), 150);
+  }
 
   /** A small picture of the array as it is shown, as an address that holds it; empty where nothing is drawn yet. */
   thumbnail(): string {
@@ -323,6 +333,7 @@ export class ArrayPanel {
     this.renderer.setClearColor(new Color(colour("--card")));
     this.renderer.render(this.scene, this.camera);
     flat(this.still).drawImage(this.renderer.domElement, 0, 0);
+    this.recoloured = false;
     this.copy();
     document.documentElement.dataset.drawn = String(Number(document.documentElement.dataset.drawn ?? 0) + 1);
   }
@@ -333,9 +344,11 @@ export class ArrayPanel {
     for (const [node] of this.home) {
       const part = this.parts.get(node.name)!;
       if (part.kind !== "membrane" || !node.visible) continue;
-      if (part.group === `point ${this.touched}`) this.fill(c, node, 1);
-      else if (part.group === `point ${this.pointed}`) this.fill(c, node, 0.6);
+      if (this.recoloured) this.fill(c, node, this.colourOf(this.pointOf(part)!));
+      if (part.group === `point ${this.touched}`) this.fill(c, node, colour("--accent"));
+      else if (part.group === `point ${this.pointed}`) this.fill(c, node, colour("--accent"), 0.6);
     }
+    document.documentElement.dataset.coloured = String(Number(document.documentElement.dataset.coloured ?? 0) + Number(this.recoloured));
     if (this.moved) this.trace(c, this.moved);
     this.dimensions.draw(c, this.camera, withNumbers);
     this.dragging?.draw(c, 14 * (this.sheet.width / this.place.clientWidth));
@@ -358,7 +371,7 @@ export class ArrayPanel {
   }
 
   /** Colour a part as the eye sees it, without what hides it. */
-  private fill(c: CanvasRenderingContext2D, part: Object3D, opacity: number): void {
+  private fill(c: CanvasRenderingContext2D, part: Object3D, style: string, opacity = 1): void {
     c.beginPath();
     part.traverse((each) => {
       if (!(each instanceof Mesh)) return;
@@ -374,7 +387,7 @@ export class ArrayPanel {
         c.lineTo(seen[2][0], seen[2][1]);
       }
     });
-    c.fillStyle = colour("--accent");
+    c.fillStyle = style;
     c.globalAlpha = opacity;
     c.fill();
     c.globalAlpha = 1;
@@ -410,7 +423,7 @@ export class ArrayPanel {
 
   private name(event: MouseEvent): void {
     const part = this.under(event)?.part ?? null, movable = part && this.dragging && byId<HTMLInputElement>("movable").checked ? DRAGGED[part.kind] : undefined;
-    byId("pointed-part").textContent = part ? part.label.replaceAll("_", " ") + (movable ? `: ${movable}` : "") : "\u00a0";
+    byId("pointed-part").textContent = part ? "\u00b7 " + part.label.replaceAll("_", " ") + (movable ? `: ${movable}` : "") : "\u00a0";
     this.sheet.style.cursor = movable ? "move" : "grab";
     this.hover(this.pointOf(part));
   }

@@ -194,7 +194,7 @@ def test_a_remedy_of_the_verdict_bar_is_one_step_and_a_bad_one_changes_nothing(w
 def test_the_verdict_bar_gets_reasons_with_the_changes_that_help() -> None:
     found = verdict_figures(ARRAY.with_values({"target.size": (100.0, 30.0)}))
     assert found["outcome"] == "does not work"
-    assert [row[0] for row in found["rows"]] == ["as-built accuracy of taps", "smallest force", "size", "cost"]
+    assert [row[0] for row in found["rows"]] == ["as-built accuracy of taps", "smallest tap", "size", "cost"]
     remedies = [each["remedy"] for each in found["reasons"] if each["remedy"]]
     assert remedies
     for remedy in remedies:
