@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -28,9 +29,14 @@ from geometry.schema.ports import Port
 
 def frozen_housings(design: ArrayDesign, frozen: FrozenPlaces) -> Housings:
     """Shells and microphones where the design states them."""
+    return _housings(design, frozen, [design.tubes_of(line) for line in design.lines], _surface(frozen))
+
+
+def _housings(
+    design: ArrayDesign, frozen: FrozenPlaces, tubes_of: Sequence[Sequence[Tube]], surface: FrozenSurface
+) -> Housings:
     points, microphones, number = [], [], 0
-    for index, line in enumerate(design.lines):
-        tubes = design.tubes_of(line)
+    for index, (line, tubes) in enumerate(zip(design.lines, tubes_of, strict=True)):
         for place in range(line.points):
             part = frozen.points[number]
             ports = _port(part.ports[0], tubes[place]), _port(part.ports[1], tubes[place + 1])
@@ -39,26 +45,32 @@ def frozen_housings(design: ArrayDesign, frozen: FrozenPlaces) -> Housings:
     joined = microphone_ports(design)
     for name, part in zip(design.microphones, frozen.microphones, strict=True):
         ends = tuple(
-            MicrophonePort(line, 1 if end else 0, _port(angle, design.end_tube_of(design.lines[line], end)))
+            MicrophonePort(line, 1 if end else 0, _port(angle, tubes_of[line][-1 if end else 0]))
             for (line, end), angle in zip(joined[name], part.ports, strict=True)
         )
         microphones.append(MicrophonePlacement(name, part.plan, ends))
-    parts = (*frozen.points, *frozen.microphones)
-    surface = FrozenSurface(tuple(part.plan for part in parts), tuple(map(frame_of, parts)))
     return Housings(tuple(points), tuple(microphones), surface)
+
+
+def _surface(frozen: FrozenPlaces) -> FrozenSurface:
+    parts = (*frozen.points, *frozen.microphones)
+    return FrozenSurface(tuple(part.plan for part in parts), tuple(map(frame_of, parts)))
 
 
 def frozen_layout(design: ArrayDesign, frozen: FrozenPlaces) -> ArrayLayout:
     """All parts where the design states them, with tubes that are as stated or smooth curves of their length."""
-    housings, ways = frozen_housings(design, frozen), ways_of(design, frozen)
-    lengths = np.array([tube.length for line in design.lines for tube in design.tubes_of(line)])
+    tubes_of = [design.tubes_of(line) for line in design.lines]
+    surface = _surface(frozen)
+    housings = _housings(design, frozen, tubes_of, surface)
+    ways = ways_of(design, frozen, surface.frames)
+    lengths = np.array([tube.length for own in tubes_of for tube in own])
     courses = smooth_courses(ways, np.maximum(lengths, ways.shortest))
     plan = {each.name: each.position for each in housings.microphones}
     height, tubes, number, before = design.resonator.port_axis_height, [], 0, 0
     for index, line in enumerate(design.lines):
         points = [point.position for point in housings.points[before : before + line.points]]
         stops = [plan[line.between[0]], *points, plan[line.between[1]]]
-        for segment, tube in enumerate(design.tubes_of(line)):
+        for segment, tube in enumerate(tubes_of[index]):
             stated = frozen.tubes[number].course if frozen.tubes else ()
             course = np.array(stated) if stated else courses[number]
             path = np.array([[*stops[segment], height], [*stops[segment + 1], height]])

@@ -99,7 +99,7 @@ class Ways:
     @property
     def smooth(self) -> Array:
         """Lengths of the tubes as they lie best: the one nearest to an arc, (n,) float64, mm."""
-        return _lengths(_courses(self, np.zeros(len(self.sides)), np.zeros(len(self.sides)))) + self.walls
+        return _lengths(_Courses(self).smooth) + self.walls
 
 
 def smooth_courses(ways: Ways, lengths: Array) -> Array:
@@ -116,13 +116,13 @@ def smooth_courses(ways: Ways, lengths: Array) -> Array:
     Returns:
         (n, m, 3) float64, mm, from cavity wall to cavity wall.
     """
-    between = lengths - ways.walls
-    smooth = ways.smooth - ways.walls
+    between, courses = lengths - ways.walls, _Courses(ways)
+    smooth = _lengths(courses.smooth)
     longer = between > smooth
 
     def course(t: Array) -> Array:
         # The length grows with the square of a small bulge: in this parameter nearly in a straight line.
-        return _courses(ways, np.where(longer, between * np.sqrt(t), 0.0), np.where(longer, 0.0, t))
+        return courses.at(np.where(longer, between * np.sqrt(t), 0.0), np.where(longer, 0.0, t))
 
     low, high = np.zeros(len(lengths)), np.ones(len(lengths))
     f_low, f_high = smooth - between, _lengths(course(high)) - between
@@ -157,16 +157,29 @@ _WEIGHTS = np.stack([(1 - _S) ** 3, 3 * _S * (1 - _S) ** 2, 3 * _S**2 * (1 - _S)
 _BULGE = np.sin(np.pi * _S) ** 2
 
 
-def _courses(ways: Ways, bulge: Array, shorter: Array) -> Array:
-    """Axes between the housings, (n, m, 3) mm; handles shortened by a fraction, bulges in mm."""
-    first, last = ways.mouths
-    (out, back), across = ways.out, last - first
-    chord = np.linalg.norm(across, axis=1)
-    turn = np.arccos(np.clip(-np.einsum("nk,nk->n", out, back), -1, 1))
-    half = np.minimum(turn, 3.0) / 2
-    arc = np.where(turn > 1e-6, 4 / 3 * np.tan(turn / 4) / (2 * np.maximum(np.sin(half), 1e-9)), 1 / 3)
-    handle = (np.minimum(arc, 1.5) * chord * (1 - shorter))[:, None]
-    corners = np.stack([first, first + handle * out, last + handle * back, last], axis=1)
-    left = np.cross(ways.normals, across)
-    left *= (ways.sides * bulge / np.maximum(np.linalg.norm(left, axis=1), 1e-300))[:, None]
-    return np.asarray(np.einsum("cs,nck->nsk", _WEIGHTS, corners) + _BULGE[:, None] * left[:, None])
+class _Courses:
+    """Axes of tubes between the housings, which are linear in the bulge and in what the handles are shortened by.
+
+    Args:
+        ways: both ends of each tube.
+    """
+
+    def __init__(self, ways: Ways) -> None:
+        first, last = ways.mouths
+        (out, back), across = ways.out, last - first
+        chord = np.linalg.norm(across, axis=1)
+        turn = np.arccos(np.clip(-np.einsum("nk,nk->n", out, back), -1, 1))
+        half = np.minimum(turn, 3.0) / 2
+        arc = np.where(turn > 1e-6, 4 / 3 * np.tan(turn / 4) / (2 * np.maximum(np.sin(half), 1e-9)), 1 / 3)
+        handle = (np.minimum(arc, 1.5) * chord)[:, None]
+        w0, w1, w2, w3 = _WEIGHTS[..., None]
+        self._handles = w1 * (handle * out)[:, None] + w2 * (handle * back)[:, None]
+        self.smooth: Array = (w0 + w1) * first[:, None] + (w2 + w3) * last[:, None] + self._handles
+        """Axes nearest to an arc, (n, m, 3) float64, mm."""
+        left = np.cross(ways.normals, across)
+        left *= (ways.sides / np.maximum(np.linalg.norm(left, axis=1), 1e-300))[:, None]
+        self._bulge = _BULGE[:, None] * left[:, None]
+
+    def at(self, bulge: Array, shorter: Array) -> Array:
+        """Axes with bulges, (n,) mm, and handles shortened by a fraction, (n,): (n, m, 3) float64, mm."""
+        return np.asarray(self.smooth + bulge[:, None, None] * self._bulge - shorter[:, None, None] * self._handles)

@@ -3,60 +3,62 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
 from geometry.ground.typed import Array
 from geometry.plan.cylinder import Frame
 from geometry.plan.frozen import Ways, frame_of
-from geometry.plan.routing import unit
 from geometry.schema.array_fields import StatedArray
-from geometry.schema.frozen_fields import FrozenPart, FrozenPlaces
-
-#: An end of a tube: place on the axis at the height of the ports, direction, normal, inner and outer radius.
-_End = tuple[Array, Array, Array, float, float]
+from geometry.schema.frozen_fields import FrozenPlaces
 
 
-def ways_of(design: StatedArray, frozen: FrozenPlaces) -> Ways:
+def ways_of(design: StatedArray, frozen: FrozenPlaces, frames: Sequence[Frame] | None = None) -> Ways:
     """Ends of all tubes, line by line from the first microphone to the second.
 
     Args:
         design: the array; of its layout only ``frozen`` counts.
         frozen: its places.
+        frames: of all points, then of all microphones, where they are known; default: those of the places.
     """
-    resonator, microphone, height = design.resonator, design.microphone, design.resonator.port_axis_height
+    resonator, microphone = design.resonator, design.microphone
     shell = resonator.cavity_diameter / 2, resonator.outer_diameter / 2
     # Tubes are straight until they have left the seat of the board, in whatever direction.
     seat = math.hypot(*(side / 2 + microphone.board_gap + microphone.wall_thickness for side in microphone.board_size))
     radius = microphone.chamber_diameter / 2
     chamber = radius, max(radius + microphone.wall_thickness, seat)
-    ports = microphone_ports(design)
-    points = [(part, frame_of(part)) for part in frozen.points]
-    housings = {name: (part, frame_of(part)) for name, part in zip(design.microphones, frozen.microphones, strict=True)}
-    ends: list[tuple[_End, _End]] = []
+    parts = (*frozen.points, *frozen.microphones)
+    ports, number = microphone_ports(design), {name: k for k, name in enumerate(design.microphones)}
+    stops: list[tuple[int, int]] = []  # part and port at each end of each tube
     before = 0
     for index, line in enumerate(design.lines):
-        own = points[before : before + line.points]
-        stops: list[_End] = []
-        for end, name in enumerate(line.between):
-            port = ports[name].index((index, end))
-            stop = _end(*housings[name], port, height, chamber)
-            if end == 0:
-                stops.append(stop)
-                for part, frame in own:
-                    stops += [_end(part, frame, port, height, shell) for port in (0, 1)]
-            else:
-                stops.append(stop)
-        ends += zip(stops[::2], stops[1::2], strict=True)
+        first, last = (
+            (len(frozen.points) + number[name], ports[name].index((index, end)))
+            for end, name in enumerate(line.between)
+        )
+        inner = [(point, port) for point in range(before, before + line.points) for port in (0, 1)]
+        stops += [first, *inner, last]
         before += line.points
-    first, last = ([pair[end] for pair in ends] for end in (0, 1))
+    part = np.array([each for each, _ in stops])
+    angles = np.radians([parts[each].ports[port] for each, port in stops])
+    frames = [frame_of(each) for each in parts] if frames is None else frames
+    axes = np.array([frame.axes for frame in frames])[part]
+    normals = axes[:, 2]
+    at = np.array([frame.origin for frame in frames])[part] + resonator.port_axis_height * normals
+    out = np.cos(angles)[:, None] * axes[:, 0] + np.sin(angles)[:, None] * axes[:, 1]
+    is_housing = part >= len(frozen.points)
+    inner_radius, outer_radius = (np.where(is_housing, *each) for each in zip(chamber, shell, strict=True))
+    count = len(stops) // 2
+    sides = np.array([tube.side for tube in frozen.tubes] if frozen.tubes else [1.0] * count)
+    return Ways(
+        _both(at), _both(out), _both(inner_radius), _both(outer_radius), (normals[::2] + normals[1::2]) / 2, sides
+    )
 
-    def column(entry: int) -> tuple[Array, Array]:
-        return np.array([each[entry] for each in first]), np.array([each[entry] for each in last])
 
-    normals = column(2)
-    sides = np.array([tube.side for tube in frozen.tubes] if frozen.tubes else [1.0] * len(ends))
-    return Ways(column(0), column(1), column(3), column(4), (normals[0] + normals[1]) / 2, sides)
+def _both(ends: Array) -> tuple[Array, Array]:
+    """Values of the first and of the last ends of tubes, from those of all ends in turn."""
+    return ends[::2], ends[1::2]
 
 
 def microphone_ports(design: StatedArray) -> dict[str, list[tuple[int, int]]]:
@@ -70,8 +72,3 @@ def microphone_ports(design: StatedArray) -> dict[str, list[tuple[int, int]]]:
         ]
         for name in design.microphones
     }
-
-
-def _end(part: FrozenPart, frame: Frame, port: int, height: float, radii: tuple[float, float]) -> _End:
-    axes = np.asarray(frame.axes)
-    return frame.at(0.0, 0.0, height), unit(part.ports[port]) @ axes[:2], axes[2], *radii
