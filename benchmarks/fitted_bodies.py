@@ -14,6 +14,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 import geometry
 from geometry.assembly.model import array_model
 from geometry.body.reading import Body, read_body
@@ -25,11 +27,13 @@ from geometry.layout.overlaps import overlaps
 from geometry.plan.routing import tightest_bend
 from geometry.schema.ports import least_angle
 from geometry.surface import FittedSurface, fit_surface
+from geometry.surface.spread import arc_length
 from tests.support.bodies import BODIES, FINE, cases, design_of, written
 
 PAGE = Path(__file__).parents[1] / "docs" / "evidence" / "bodies.md"
 #: Sections of the page.
 FITS = ("<!-- fits: made by benchmarks/fitted_bodies.py -->", "<!-- end fits -->")
+EQUAL = ("<!-- equal: made by benchmarks/fitted_bodies.py -->", "<!-- end equal -->")
 CARVED = ("<!-- carved: made by benchmarks/fitted_bodies.py -->", "<!-- end carved -->")
 #: What further bodies carry, by the names of their files: the table [surface] without the body.
 MESHES: dict[str, dict[str, Any]] = {
@@ -72,6 +76,28 @@ def fit_row(name: str, found: FittedSurface, seconds: float) -> str:
     return f"| {name} | {' | '.join(cells)} |"
 
 
+def equal_row(name: str, found: FittedSurface, seconds: float) -> str:
+    """Row of the table of fits with equal tubes."""
+    design, layout = found.design, lay_out(found.design)
+    frames = [layout.frame(point) for point in layout.points]
+    normals = np.array([frame.axes[2] for frame in frames])
+    places = np.array([frame.origin for frame in frames]) + design.resonator.port_axis_height * normals
+    steps = [k for k in range(len(places) - 1) if layout.points[k].line == layout.points[k + 1].line]
+    step = np.array([arc_length(places[k], normals[k], places[k + 1], normals[k + 1]) for k in steps])
+    inner = {tube.tube.length for tube in layout.tubes if 0 < tube.segment < design.lines[tube.line].points}
+    bend = min(tightest_bend(tube.course) / tube.tube.smallest_bend_radius for tube in layout.tubes)
+    cells = (
+        f"{design.point_count}",
+        f"{len(overlaps(design, layout))}",
+        f"{100 * step.std() / step.mean():.2f}",
+        ", ".join(f"{length:g}" for length in sorted(inner)),
+        f"{found.spacing[1]:.3f}",
+        f"{bend:.2f}",
+        f"{seconds:.1f}",
+    )
+    return f"| {name} | {' | '.join(cells)} |"
+
+
 def _timed(design: geometry.ArrayDesign) -> float:
     """Processor time of one layout, s."""
     start = time.process_time()
@@ -98,7 +124,7 @@ def carved_row(name: str, design: geometry.ArrayDesign, body: Body) -> str:
 
 
 def main() -> None:
-    """Print the rows of both tables, and write the tables to the page."""
+    """Print the rows of all tables, and write the tables to the page."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("meshes", nargs="*", help=f"files of further bodies, called {' and '.join(MESHES)}")
     parser.add_argument("--write", action="store_true", help="replace the tables of the page")
@@ -114,6 +140,11 @@ def main() -> None:
         "part shares with the wall (mm³) | thinnest wall (mm) | carving (s) |",
         "|---|---|---|---|---|---|---|",
     ]
+    equal = [
+        "| body | points | overlaps | scatter of the steps (CV, %) | length of the tubes between points (mm) | scatter "
+        "of the spacing (CV) | tightest bend / smallest allowed | fit (s) |",
+        "|---|---|---|---|---|---|---|---|",
+    ]
     with tempfile.TemporaryDirectory() as folder:
         for name, design, body in bodies(given.meshes, Path(folder)):
             try:
@@ -121,12 +152,17 @@ def main() -> None:
                 found = fit_surface(design, body)
                 fits.append(fit_row(name, found, time.process_time() - start))
                 print(fits[-1], flush=True)
+                start = time.process_time()
+                alike = fit_surface(design.with_values({"surface.tubes": "equal"}), body)
+                equal.append(equal_row(name, alike, time.process_time() - start))
+                print(equal[-1], flush=True)
                 carved.append(carved_row(name, found.design, body))
                 print(carved[-1], flush=True)
             except Refusal as error:
                 print(f"{name}: {error}", flush=True)
     if given.write:
         replace_section(PAGE, *FITS, fits)
+        replace_section(PAGE, *EQUAL, equal)
         replace_section(PAGE, *CARVED, carved)
 
 

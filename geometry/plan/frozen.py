@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
@@ -78,6 +79,11 @@ class Ways:
     """Mean of the normals at both ends, (n, 3) float64."""
     sides: Array
     """Side to which a longer tube bulges, (n,) float64: 1 left, -1 right."""
+
+    def chosen(self, mask: NDArray[np.bool_]) -> Ways:
+        """Ends of some of the tubes, by a mask (n,)."""
+        ends = [(a[mask], b[mask]) for a, b in (self.axes, self.out, self.inner, self.outer)]
+        return Ways(*ends, self.normals[mask], self.sides[mask])
 
     @property
     def mouths(self) -> tuple[Array, Array]:

@@ -78,6 +78,11 @@ class SurfaceFit(Section):
         default=15.0, ge=1, le=60, description="step of the angle between the two ports of a shell: a larger one makes "
         "fewer kinds of shells",
     )  # fmt: skip
+    tubes: Literal["as they lie", "equal"] = Field(
+        default="as they lie",
+        description="as they lie: each tube between two points has the length of its gap; equal: points are moved "
+        "until all of these tubes have one length",
+    )
     length_step: Millimetre = Field(
         default=0.5, ge=0.01, le=5, description="step of the lengths of tubes; finer where tubes would bend too far"
     )

@@ -12,11 +12,12 @@ from geometry.design.frozen_rules import sizes_of
 from geometry.design.shell_rules import membrane_top
 from geometry.ground.typed import Array
 from geometry.layout.placement import ArrayLayout
+from geometry.plan.frozen import Ways
 from geometry.plan.frozen_ways import ways_of
 from geometry.schema.frozen_fields import FrozenPlaces
 from geometry.schema.part_fields import STUB_LENGTH_IN_RADII
 from geometry.schema.surface_fields import SurfaceFit
-from geometry.surface.tubes import chosen_lengths, directions, rounded_ports
+from geometry.surface.tubes import chosen_lengths, directions, equal_length, rounded_ports
 from geometry.surface.unrolled import unrolled
 
 #: Digits of places, mm, and of directions.
@@ -116,9 +117,7 @@ def frozen_design(design: ArrayDesign, stated: SurfaceFit, laid: Laid) -> tuple[
     least = np.maximum(
         walls, [max(STUB_LENGTH_IN_RADII * t.inner_diameter, 2 * design.printing.port_lip) for t in tubes]
     )
-    lengths, sides, step = chosen_lengths(
-        ways, stated.length_step, smallest, least + 1e-6, laid.points, design.resonator.outer_diameter
-    )
+    lengths, sides, step = _lengths(design, stated, laid, ways, smallest, least + 1e-6)
     data["tubes"] = [{"side": float(side)} for side in sides]
     values, start = [], 0
     for line in lines:
@@ -126,6 +125,26 @@ def frozen_design(design: ArrayDesign, stated: SurfaceFit, laid: Laid) -> tuple[
         values.append({**line.model_dump(), "lengths": lengths[start:stop].tolist()})
         start = stop
     return design.with_values({"layout": {"kind": "surface", "frozen": data}, "lines": values}), step
+
+
+def _lengths(
+    design: ArrayDesign, stated: SurfaceFit, laid: Laid, ways: Ways, smallest: Array, least: Array
+) -> tuple[Array, Array, float]:
+    """Lengths and sides of all tubes, (n,) each, and the finest step of the lengths, mm."""
+    reach = design.resonator.outer_diameter
+    ends = np.cumsum([0, *(count + 1 for count in laid.counts)])
+    inner = np.ones(len(least), bool)
+    inner[[*ends[:-1], *(ends[1:] - 1)]] = False
+    if stated.tubes == "as they lie" or not inner.any():
+        return chosen_lengths(ways, stated.length_step, smallest, least, laid.points, reach)
+    lengths, sides, outer = np.empty(len(least)), np.empty(len(least)), ~inner
+    lengths[inner], sides[inner], step = equal_length(
+        ways.chosen(inner), stated.length_step, smallest[inner], least[inner], laid.all_places(), reach / 2
+    )
+    lengths[outer], sides[outer], other = chosen_lengths(
+        ways.chosen(outer), stated.length_step, smallest[outer], least[outer], laid.points, reach
+    )
+    return lengths, sides, min(step, other)
 
 
 def _neighbours(laid: Laid) -> tuple[Array, Array]:

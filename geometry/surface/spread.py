@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
@@ -13,6 +15,10 @@ from geometry.ground.typed import Array
 _STEPS, _BEYOND, _STILL = 120, 1.6, 0.02
 #: Rounds in which near points are pushed apart, and the distance that they are pushed to, by the mean of the nearest.
 _PUSHES, _WIDER = 40, 1.06
+#: Rounds in which steps are made equal, to a fraction of their length; nearest other neighbours, by that length.
+_ROUNDS, _EQUAL, _NEAREST = 400, 1e-3, 0.86
+#: Factor on the mean move of a point, and the fraction by which it is drawn home in the first round.
+_BOLD, _HOME = 1.2, 0.02
 
 
 def arc_length(first: Array, first_normal: Array, second: Array, second_normal: Array) -> Array:
@@ -102,3 +108,46 @@ def relaxed(samples: Samples, mask: NDArray[np.bool_], points: Array) -> Array:
         off, near = map(np.asarray, tree.query(points))
         points = np.where((off > 0.7 * samples.edge)[:, None], allowed[near], points)
     return best
+
+
+def equalised(
+    samples: Samples, mask: NDArray[np.bool_], points: Array, steps: Sequence[tuple[int, int]], least: float
+) -> Array:
+    """Points moved along the surface until all steps of lines are of one length; (n, 3) float64, mm.
+
+    The length is the median of the steps. In each round, every step and every pair that is too near moves its points by
+    half of what is wrong, and a pull that fades draws each point back to where it was.
+
+    Args:
+        samples: of the body.
+        mask: samples where points may be.
+        points: (n, 3) float64, mm.
+        steps: pairs of points that follow each other on a line.
+        least: smallest distance of neighbours, mm.
+    """
+    allowed = samples.places[mask]
+    tree, joined = cKDTree(allowed), {tuple(sorted(step)) for step in steps}
+    first, second = np.array(steps).T
+    at, normals = samples.projected(points)
+    length = max(float(np.median(arc_length(at[first], normals[first], at[second], normals[second]))), least)
+    apart = max(least, _NEAREST * length)
+    home = at
+    for round_ in range(_ROUNDS):
+        near = [pair for pair in cKDTree(at).query_pairs(apart) if pair not in joined]
+        i = np.concatenate([first, [a for a, _ in near]]).astype(np.int64)
+        j = np.concatenate([second, [b for _, b in near]]).astype(np.int64)
+        wrong = arc_length(at[i], normals[i], at[j], normals[j]) - np.repeat([length, apart], [len(first), len(near)])
+        wrong[len(first) :] = np.minimum(wrong[len(first) :], 0.0)
+        if np.abs(wrong).max() < _EQUAL * length:
+            break
+        way = at[j] - at[i]
+        way *= (0.5 * wrong / np.maximum(np.linalg.norm(way, axis=1), 1e-9))[:, None]
+        move, count = np.zeros_like(at), np.bincount(np.concatenate([i, j]), minlength=len(at))
+        np.add.at(move, i, way)
+        np.add.at(move, j, -way)
+        move = _BOLD * move / np.maximum(count, 1)[:, None] + _HOME * (1 - round_ / _ROUNDS) * (home - at)
+        move -= np.einsum("nc,nc->n", move, normals)[:, None] * normals
+        moved, turned = samples.projected(at + move)
+        inside = (np.asarray(tree.query(moved)[0]) <= samples.edge)[:, None]
+        at, normals = np.where(inside, moved, at), np.where(inside, turned, normals)
+    return at

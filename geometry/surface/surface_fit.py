@@ -32,7 +32,7 @@ from geometry.surface.microphones import Seats, placed_microphone, room_for_micr
 from geometry.surface.order import Order, crossings, steps_of
 from geometry.surface.regions import Mask, region_of
 from geometry.surface.rims import lifted_over, widest_gap
-from geometry.surface.spread import arc_lengths, nearest_spacing, relaxed, spread
+from geometry.surface.spread import arc_lengths, equalised, nearest_spacing, relaxed, spread
 
 #: Facets of the body by the pitch.
 _FACETS = 9
@@ -250,8 +250,8 @@ class _Fit:
         counts = self.counts
         if self.stated.pitch is not None:
             counts = [len(places) // lines + (k < len(places) % lines) for k in range(lines)]
-        at, normals = self.samples.projected(places)
-        at = self._raised(at, normals, self.outer, self.floor)
+        level, normals = self.samples.projected(places)
+        at = self._raised(level, normals, self.outer, self.floor)
         apart = arc_lengths(at, normals)
         spacing = float(np.median(nearest_spacing(at, normals)))
         targets = self.for_microphones.places[self.wanted]
@@ -266,7 +266,8 @@ class _Fit:
                 order.dearer([steps[k] for pair in crossed for k in pair], 2.0)
                 if repair < _REPAIRS - 1:
                     continue
-            found = self._laid(seed, tour, counts, at, normals, spacing)
+            own = self._equalised(level, steps) if self.stated.tubes == "equal" and steps else (at, normals)
+            found = self._laid(seed, tour, counts, *own, spacing)
             if best is None or len(found[0]) < len(best[0]):
                 best = found
             if not best[0]:
@@ -274,6 +275,11 @@ class _Fit:
             self._avoid(order, found[0], tour, counts)
         assert best is not None
         return best
+
+    def _equalised(self, level: Array, steps: list[tuple[int, int]]) -> tuple[Array, Array]:
+        """Axes of the points at the height of the ports and their normals, (n, 3) each, with steps of one length."""
+        level, normals = self.samples.projected(equalised(self.samples, self.hard, level, steps, self.least))
+        return self._raised(level, normals, self.outer, self.floor), normals
 
     def _raised(self, at: Array, normals: Array, radius: float, floor: float) -> Array:
         """Axes at the height of the ports, raised where the rim of the floor would come closer to a hollow body.

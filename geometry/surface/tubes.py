@@ -87,17 +87,14 @@ def chosen_lengths(
     smooth = np.maximum(ways.smooth, least)
     count = len(smooth)
     lengths, sides, bent, coarse = smooth.copy(), np.ones(count), np.full(count, -np.inf), np.zeros(count)
-    for step in (stated, *(each for each in _FINER if each < stated - 1e-9)):
+    for step in _steps(stated):
         longer = np.ceil(smooth / step - 1e-6) * step
         shorter = np.floor(smooth / step + 1e-6) * step
         possible = (shorter >= ways.shortest + 1e-6) & (shorter >= least - 1e-9)
         options = []
         for own in (longer, np.where(possible, shorter, longer)):
             for side in (1.0, -1.0):
-                courses = smooth_courses(replace(ways, sides=np.full(count, side)), own)
-                slack = np.minimum(bends(courses) / smallest - 1, _SLACK)
-                room = np.minimum(_room(courses, obstacles, reach), reach)
-                score = 10 * np.minimum(slack, 0.0) + 0.1 * slack + 0.01 * room / reach
+                score, slack = _judged(ways, own, side, smallest, obstacles, reach, reach)
                 options.append((score, own, np.full(count, side), slack))
         best = np.argmax(np.stack([score for score, *_ in options]), axis=0)
         pick = np.arange(count)
@@ -109,6 +106,58 @@ def chosen_lengths(
         if bent.min() > (_SLACK - _WORTH if step > _FINE + 1e-9 else -1e-6):
             break
     return np.asarray(np.round(lengths, 6), np.float64), sides, float(coarse.min())
+
+
+def equal_length(
+    ways: Ways, stated: float, smallest: Array, least: Array, obstacles: Array, reach: float
+) -> tuple[float, Array, float]:
+    """One length of all tubes, in steps, and the side to which each of them bulges.
+
+    The step is the coarsest one at which no tube bends further than it may, or the one at which they bend least.
+
+    Args:
+        ways: both ends of each tube.
+        stated: coarsest step, mm.
+        smallest: radius to which each tube may be bent, (n,) mm.
+        least: length below which a tube is too short for its walls, (n,) mm.
+        obstacles: axes of the shells and the microphones, (k, 3) mm.
+        reach: radius of a shell, mm, within which its own tubes do not count as near.
+
+    Returns:
+        Length, mm, sides (n,) and the step, mm.
+    """
+    longest, found = float(np.maximum(ways.smooth, least).max()), list[tuple[float, float, Array, float]]()
+    for step in _steps(stated):
+        length = round(math.ceil(longest / step - 1e-6) * step, 6)
+        own = np.full(len(least), length)
+        (left, slack_left), (right, slack_right) = (
+            _judged(ways, own, side, smallest, obstacles, reach, 2 * reach) for side in (1.0, -1.0)
+        )
+        is_left = left >= right
+        worst = float(np.where(is_left, slack_left, slack_right).min())
+        found.append((worst, length, np.where(is_left, 1.0, -1.0), step))
+        if worst >= 0:
+            break
+    _, length, sides, step = max(found, key=lambda each: min(each[0], 0.0))
+    return length, sides, step
+
+
+def _steps(stated: float) -> tuple[float, ...]:
+    """Steps of lengths that are tried, mm, the coarsest first."""
+    return (stated, *(each for each in _FINER if each < stated - 1e-9))
+
+
+def _judged(
+    ways: Ways, lengths: Array, side: float, smallest: Array, obstacles: Array, reach: float, most: float
+) -> tuple[Array, Array]:
+    """How good tubes of some lengths are that bulge to a side, and by what fraction they bend less than they may.
+
+    Distances from obstacles above ``most``, mm, are all as good.
+    """
+    courses = smooth_courses(replace(ways, sides=np.full(len(lengths), side)), lengths)
+    slack = np.minimum(bends(courses) / smallest - 1, _SLACK)
+    room = np.minimum(_room(courses, obstacles, reach), most) / most
+    return 10 * np.minimum(slack, 0.0) + 0.1 * slack + 0.01 * room, slack
 
 
 def _room(courses: Array, obstacles: Array, reach: float) -> Array:

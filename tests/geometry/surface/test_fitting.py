@@ -20,7 +20,7 @@ from geometry.plan.routing import path_length, tightest_bend
 from geometry.schema.ports import least_angle
 from geometry.surface import fit_design, fit_surface
 from geometry.surface.order import Order, crossings, steps_of
-from geometry.surface.spread import nearest_spacing
+from geometry.surface.spread import arc_length, nearest_spacing
 from geometry.surface.tubes import rounded_ports
 from geometry.surface.unrolled import unrolled
 
@@ -51,6 +51,26 @@ def check_fit(found):
     frames = [layout.frame(point) for point in layout.points]
     places, normals = (np.array(column) for column in zip(*[(f.origin, f.axes[2]) for f in frames], strict=True))
     assert crossings(steps, places, normals) == []
+
+
+@pytest.mark.parametrize(
+    "case", ["palm", *(pytest.param(each, marks=pytest.mark.slow) for each in ("capsule in pockets", "panel"))]
+)
+def test_equal_tubes_have_one_length_and_equal_steps(case, tmp_path):
+    parts, names, stated = cases()[case]
+    body = read_body(bodies.written(bodies.BODIES[case.split()[0]](), tmp_path / "body.step"))
+    found = fit_surface(design_of(parts, names, {**stated, "tubes": "equal"}), body)
+    check_fit(found)
+    lines = found.design.lines
+    inner = {tube.tube.length for tube in found.layout.tubes if 0 < tube.segment < lines[tube.line].points}
+    assert len(inner) == 1
+    steps = []
+    for one, other in itertools.pairwise(found.layout.points):
+        if one.line == other.line:
+            frames = [found.layout.frame(point) for point in (one, other)]
+            places = [frame.at(0, 0, found.design.resonator.port_axis_height) for frame in frames]
+            steps.append(arc_length(places[0], np.array(frames[0].axes[2]), places[1], np.array(frames[1].axes[2])))
+    assert np.std(steps) < 0.01 * np.mean(steps)
 
 
 @pytest.fixture(scope="module")
