@@ -21,6 +21,7 @@ from geometry.ground.argument_checks import check_choice, check_range
 from geometry.ground.array_files import read_mat, read_npz
 from geometry.ground.extras import check_extras
 from geometry.ground.file_checks import LARGEST_DATA, MOST_NUMBERS, library_reads, ordinary_file
+from geometry.ground.foreign_files import read_apart
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array
 from geometry.ground.whole_files import whole_file
@@ -31,6 +32,8 @@ _TABLES, _CODED = (".csv", ".tsv", ".txt"), (".flac", ".aiff", ".aif")
 SCALED = (".wav", *_CODED)
 #: Bits of a sample of FLAC and AIFF files, by the names of libsndfile.
 _BITS = {"PCM_S8": 8, "PCM_16": 16, "PCM_24": 24, "PCM_32": 32}
+#: Memory that the process may take in which they are tried, bytes, and samples that it decodes at a time.
+_MEMORY, _BLOCK = 1_500_000_000, 65_536
 #: Names in a file that are no channels.
 TIME, RATE = "time", "sample_rate"
 #: Other names of the rate: it would be ignored, and 1 kHz taken.
@@ -214,6 +217,7 @@ def _read_coded(path: Path) -> Sound:
     import soundfile
 
     what = "a FLAC or AIFF file"
+    read_apart(_decoded, path, what, SoundFileError, _MEMORY)
     with library_reads(path, what, SoundFileError), soundfile.SoundFile(path) as file:
         count, rate, bits = file.frames, float(file.samplerate), _BITS.get(file.subtype)
         if count * file.channels > MOST_NUMBERS:
@@ -227,6 +231,16 @@ def _read_coded(path: Path) -> Sound:
         raise _fault(path, f"is cut short: it has {len(samples)} of {count} samples")
     channels = {str(number): np.ascontiguousarray(column) for number, column in enumerate(samples.T, 1)}
     return Sound(channels, rate, None if bits is None else 1.0 - 2.0 ** (1 - bits), numbered=True)
+
+
+def _decoded(path: str) -> bytes:
+    """In a process of its own: nothing, once every sample was decoded."""
+    import soundfile
+
+    with soundfile.SoundFile(path) as file:
+        while len(file.read(_BLOCK)):
+            pass
+    return b""
 
 
 def _read_csv(path: Path, default_rate: float | None) -> Sound:

@@ -1,6 +1,6 @@
 """A body on which an array is laid: read from CAD and mesh files, checked, and seen as a smooth surface.
 
-Stands on: ground, solids.
+Stands on: formats, ground, solids.
 """
 
 import lazy_loader

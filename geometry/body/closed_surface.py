@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -17,6 +17,8 @@ from geometry.ground.typed import Array
 Corners = NDArray[np.int64]
 
 _EXPORT = "export it as one closed solid"
+#: Pairs of facets that are looked at together, for memory, and crossing ones after which no more are sought.
+_TOGETHER, _MANY = 1_000_000, 1000
 
 
 def _at(places: Array) -> str:
@@ -81,46 +83,46 @@ def check_crossings(path: Path, vertices: Array, triangles: Corners) -> None:
     """Refuse a surface with facets that cross without sharing a corner.
 
     Raises:
-        Refusal: with the number of crossing pairs and their place.
+        Refusal: with the number of crossing pairs, or that they are many, and their place.
     """
-    pairs = _near_facets(vertices, triangles)
-    if not len(pairs):
-        return
-    hit = np.zeros(len(pairs), bool)
-    for one, other in ((0, 1), (1, 0)):
-        hit |= _pierces(vertices[triangles[pairs[:, one]]], vertices[triangles[pairs[:, other]]])
-    if hit.any():
-        where = _at(vertices[triangles[pairs[hit].ravel()]])
-        problem = f"crosses itself: {counted(int(hit.sum()), 'pair')} of facets, {where}"
+    crossing = np.zeros((0, 2), np.int64)
+    for pairs in _near_facets(vertices, triangles):
+        hit = np.zeros(len(pairs), bool)
+        for one, other in ((0, 1), (1, 0)):
+            hit |= _pierces(vertices[triangles[pairs[:, one]]], vertices[triangles[pairs[:, other]]])
+        crossing = np.vstack([crossing, pairs[hit]])
+        if len(crossing) > _MANY:
+            break
+    if len(crossing):
+        number = f"more than {_MANY} pairs" if len(crossing) > _MANY else counted(len(crossing), "pair")
+        problem = f"crosses itself: {number} of facets, {_at(vertices[triangles[crossing.ravel()]])}"
         remedy = "unite its parts in your CAD program"
         raise Refusal(problem, kind=Kind.UNSUITABLE, file=path, remedy=remedy)
 
 
-def _near_facets(vertices: Array, triangles: Corners) -> Corners:
-    """Pairs of facets whose boxes meet and that share no corner, (n, 2)."""
+def _near_facets(vertices: Array, triangles: Corners) -> Iterator[Corners]:
+    """Pairs of facets whose boxes meet and that share no corner, each once, (n, 2), so many at a time as fit."""
     corners = vertices[triangles]
     low, high = corners.min(axis=1), corners.max(axis=1)
     middle, radius = (low + high) / 2, np.linalg.norm(high - low, axis=1) / 2
-    found = []
     # By size, so that a few large facets do not make all small ones neighbours.
-    bounds = np.quantile(radius, [0, 0.5, 0.8, 0.95, 0.99, 1])
-    for number, (least, most) in enumerate(pairwise(bounds)):
-        own = np.flatnonzero((radius > least if number else radius >= least) & (radius <= most))
+    bounds = np.quantile(radius, [0.5, 0.8, 0.95, 0.99, 1])
+    group = np.searchsorted(bounds[:-1], radius)
+    for number, most in enumerate(bounds):
+        own, upto = np.flatnonzero(group == number), np.flatnonzero(group <= number)
         if not len(own):
             continue
-        upto = np.flatnonzero(radius <= most)
         tree = cKDTree(middle[upto])
-        for part in np.array_split(own, max(1, len(own) // 4000)):
-            near = tree.query_ball_point(middle[part], radius[part] + most, return_sorted=False)
-            count = np.fromiter(map(len, near), int, len(near))
-            if not count.sum():
-                continue
-            i, j = np.repeat(part, count), upto[np.concatenate(near).astype(int)]
-            meet = (i != j) & (low[i] <= high[j]).all(axis=1) & (high[i] >= low[j]).all(axis=1)
+        count = tree.query_ball_point(middle[own], radius[own] + most, return_length=True)
+        ends = np.flatnonzero(np.diff(np.cumsum(count) // _TOGETHER)) + 1
+        for part in np.split(np.arange(len(own)), ends):
+            near = tree.query_ball_point(middle[own[part]], radius[own[part]] + most, return_sorted=False)
+            i, j = np.repeat(own[part], count[part]), upto[np.concatenate(near).astype(int)]
+            meet = (group[j] < number) | (i < j)
+            meet &= (low[i] <= high[j]).all(axis=1) & (high[i] >= low[j]).all(axis=1)
             i, j = i[meet], j[meet]
             apart = ~(triangles[i][:, :, None] == triangles[j][:, None, :]).any(axis=(1, 2))
-            found.append(np.sort(np.column_stack([i[apart], j[apart]]), axis=1))
-    return np.unique(np.vstack(found), axis=0) if found else np.zeros((0, 2), np.int64)
+            yield np.sort(np.column_stack([i[apart], j[apart]]), axis=1)
 
 
 def _pierces(first: Array, second: Array) -> NDArray[np.bool_]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import io
 import os
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,15 +12,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.body.closed_surface import check_closed, check_crossings, check_size, skins
+from geometry.formats.step_file import read_step
 from geometry.ground.extras import check_extras
 from geometry.ground.file_checks import read_bytes
+from geometry.ground.foreign_files import read_apart
 from geometry.ground.refusal import Kind, Refusal, counted
 from geometry.ground.typed import Array
 
 #: Largest distance of facets from the surface of a STEP file, mm, and angle between neighbouring ones, rad.
 _TOLERANCE, _FACET_ANGLE = 0.02, 0.15
-#: Most bytes of the file of a body.
-_LARGEST = 200_000_000
+#: Most bytes of the file of a body, and memory that a mesh may take to be read, bytes.
+_LARGEST, _MEMORY = 200_000_000, 1_500_000_000
 #: Units of lengths in files, mm.
 UNITS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "inch": 25.4}
 #: Endings of files that are read.
@@ -110,15 +113,9 @@ def read_body(
 
 def _of_step(path: Path) -> tuple[Array, Corners, Corners]:
     check_extras("reading a body", "cad")
-    import cadquery as cq
-
     from geometry.solids.measure import tessellate
 
-    try:
-        shape = cq.importers.importStep(str(path)).val()
-        solids = shape.Solids() if isinstance(shape, cq.Shape) else []
-    except (ValueError, RuntimeError, IndexError) as error:
-        raise Refusal(f"is not a STEP file that can be read: {error}", kind=Kind.UNREADABLE, file=path) from None
+    solids = [solid for shape in read_step(path) for solid in shape.Solids()]
     if not solids:
         problem = "has no solid, only surfaces or curves"
         raise Refusal(problem, kind=Kind.UNSUITABLE, file=path, remedy="join them to a solid in your CAD program")
@@ -134,19 +131,27 @@ def _of_step(path: Path) -> tuple[Array, Corners, Corners]:
 
 def _of_mesh(path: Path, scale: float) -> tuple[Array, Corners]:
     check_extras("reading a body", "cad")
-    import trimesh
-
-    try:
-        mesh = trimesh.load(path, force="mesh", process=False)
-        vertices, triangles = np.asarray(mesh.vertices, np.float64), np.asarray(mesh.faces, np.int64)
-    except Exception as error:  # each format has errors of its own
-        said = " ".join(str(error).split())[:80] or type(error).__name__
-        raise Refusal(f"cannot be read as a mesh: {said}", kind=Kind.UNREADABLE, file=path) from None
-    if vertices.ndim != 2 or triangles.ndim != 2 or not len(triangles):
+    answer = read_apart(_mesh_in, path, f"a mesh in {path.suffix[1:].upper()}", Refusal, _MEMORY)
+    end = 8 + 24 * int.from_bytes(answer[:8], "little")
+    vertices = np.frombuffer(answer[8:end]).reshape(-1, 3)
+    triangles = np.frombuffer(answer[end:], np.int64).reshape(-1, 3)
+    if not len(triangles):
         raise Refusal("has no facets", kind=Kind.UNSUITABLE, file=path)
     if not np.isfinite(vertices).all():
         raise Refusal("has corners that are not finite numbers", kind=Kind.UNSUITABLE, file=path)
     return vertices * scale, triangles
+
+
+def _mesh_in(path: str) -> bytes:
+    """In the process: number of corners of a mesh, their places and the facets; no other file is opened."""
+    import trimesh
+
+    content = io.BytesIO(Path(path).read_bytes())
+    mesh = trimesh.load(content, file_type=Path(path).suffix[1:].lower(), force="mesh", process=False)
+    vertices, triangles = np.asarray(mesh.vertices, np.float64), np.asarray(mesh.faces, np.int64)
+    if vertices.ndim != 2 or triangles.ndim != 2:  # it holds nothing
+        vertices, triangles = np.empty((0, 3)), np.empty((0, 3), np.int64)
+    return len(vertices).to_bytes(8, "little") + vertices.tobytes() + triangles.tobytes()
 
 
 def _welded(vertices: Array, triangles: Corners, faces: Corners) -> tuple[Array, Corners, Corners, int]:

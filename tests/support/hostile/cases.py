@@ -9,7 +9,7 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Literal
 
-from hostile import data_files, kinds, models, texts, uses
+from hostile import data_files, kinds, meshes, models, texts, uses
 from hostile.damage import (
     Change,
     bit_flips,
@@ -159,6 +159,7 @@ def all_cases() -> list[Case]:
         *_overwriting(),
         *_addresses(),
         *_solids(),
+        *_bodies(),
         *_kinds(),
     ]
 
@@ -372,6 +373,12 @@ def _addresses() -> Iterator[Case]:
 def _solids() -> Iterator[Case]:
     for what, code in uses.SOLIDS:
         yield Case("solids", what, ("-c", code), "refused", uses.untouched)
+
+
+def _bodies() -> Iterator[Case]:
+    for what, name, change in meshes.BODIES:
+        code = f"from geometry.body import read_body\nread_body({name!r}, least=3.0)"
+        yield Case("bodies", what, ("-c", code), "refused", change, (name,))
 
 
 def _kinds() -> Iterator[Case]:
