@@ -271,17 +271,17 @@ def show_designs(rows: list[dict[str, Any]]) -> None:
         ("below the middle of the interval by more than 3 points", "stated", 0.03),
     ):
         below = [row for row in works if any(row["decoded"][kind] < row[name][kind] - margin for kind in KINDS)]
-        table.add_row("works by its sound", str(len(works)), words, _share(len(below), len(works)))
+        table.add_row("works acoustically", str(len(works)), words, _share(len(below), len(works)))
     limit = [row for row in works if any(row["decoded"][kind] < rule_named(kind).works for kind in KINDS)]
     table.add_row(
-        "works by its sound", str(len(works)), "below 95 %, the limit of works", _share(len(limit), len(works))
+        "works acoustically", str(len(works)), "below 95 %, the limit of works", _share(len(limit), len(works))
     )
     limit = [row for row in works if any(row["decoded"][kind] < rule_named(kind).marginal for kind in KINDS)]
     table.add_row(
-        "works by its sound", str(len(works)), "below 80 %, the limit of marginal", _share(len(limit), len(works))
+        "works acoustically", str(len(works)), "below 80 %, the limit of marginal", _share(len(limit), len(works))
     )
     table.add_row("works by all rules", str(len(whole)), "", "")
-    for name, group in (("does not work", bad), ("does not work by its sound", deaf)):
+    for name, group in (("does not work", bad), ("does not work acoustically", deaf)):
         above = [row for row in group if min(row["decoded"].values()) > 0.99]
         table.add_row(name, str(len(group)), "above 99 % of all touches", _share(len(above), len(group)))
     Console().print(table)

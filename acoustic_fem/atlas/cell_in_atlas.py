@@ -127,7 +127,7 @@ def check_gas(medium: Any) -> None:
                 kind=Kind.NO_RESULT,
                 field=f"air: {name}",
                 allowed=f"{low:.4g} to {high:.4g}, that of air, in the atlas of cells",
-                remedy='fidelity "navier-stokes" takes any gas',
+                remedy='fidelity "navier-stokes" accepts any gas',
             )
 
 

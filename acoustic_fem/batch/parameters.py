@@ -334,7 +334,7 @@ def _outside(design: ArrayDesign) -> Refusal | None:
             kind=Kind.OUT_OF_RANGE,
             field="membrane.stretch",
             value=design.membrane.stretch,
-            remedy="solve() takes it",
+            remedy="solve() accepts it",
         )
     if design.resonator.shape != "cylinder":
         return Refusal(
@@ -342,7 +342,7 @@ def _outside(design: ArrayDesign) -> Refusal | None:
             field="resonator.shape",
             value=design.resonator.shape,
             allowed="'cylinder' in a batch, which has closed forms only",
-            remedy="solve() takes it at every fidelity",
+            remedy="solve() accepts it at every fidelity",
         )
     return None
 

@@ -147,7 +147,7 @@ def _check_checksums(dataset: xr.Dataset) -> None:
     stored, found = _json_object(dataset.attrs[CHECKSUMS], CHECKSUMS), _checksums(dataset)
     for name in dict.fromkeys((*stored, *found)):
         if stored.get(name) != found.get(name):
-            how = "is not what was written (its SHA-256 differs)" if name in found else "is missing, which was written"
+            how = "is not what was written (its SHA-256 differs)" if name in found else "was written but is missing"
             raise Refusal(
                 how, kind=Kind.DAMAGED, field=name, remedy="the file is damaged, or another program changed it"
             )

@@ -143,7 +143,7 @@ def read_tolerances(path: Path) -> tuple[Tolerance, ...]:
             kind = Kind.UNKNOWN if isinstance(given, Mapping) else Kind.WRONG_TYPE
             raise Refusal("must hold deviation, kind and source only", kind=kind, file=path, field=quantity)
         if quantity not in known and not {"deviation", "kind"} <= set(given):
-            problem = "must hold deviation and kind: by default it does not scatter"
+            problem = "must hold deviation and kind, because it has no default"
             raise Refusal(problem, kind=Kind.MISSING, file=path, field=quantity)
         deviation = given["deviation"] if "deviation" in given else known[quantity].deviation
         types = {"deviation": "a number", "kind": "a text", "source": "a text"}

@@ -12,7 +12,7 @@
 # # A wristband, from an idea to its parts
 #
 # You design sixteen points around a wrist, 15 mm apart, with two microphones. `acoustic-fem new wristband --around 188
-# --points 16` would search the parts for you. Here you choose them yourself, to see what matters.
+# --points 16` would find the parts for you. Here you choose them yourself, to see what matters.
 
 # %%
 from tempfile import TemporaryDirectory

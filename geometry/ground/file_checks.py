@@ -54,7 +54,7 @@ def check_local(path: str | os.PathLike[str], refusal: type[Refusal] = Refusal, 
             file=found[0][:-1] + slashes + os.fspath(path)[found.end() :].lstrip("/"),  # as it was before pathlib
             field=Field(field),
             allowed="a path on this machine, not an address",
-            remedy="copy between this machine and a store with the tool of the store, or mount the store as a folder",
+            remedy="copy the files with the store's own tool, or mount the store as a folder",
         )
 
 

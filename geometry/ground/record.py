@@ -78,7 +78,7 @@ def read_record(path: str | os.PathLike[str], kind: str, key: str, refusal: type
         )
     digest, _, content = rest.partition(b"\n")
     if found != version or digest.decode("latin-1") != sha256(key, b"\n", content):
-        raise refusal("is damaged: its SHA-256 is not that of what was written", kind=Kind.DAMAGED, file=path)
+        raise refusal("is damaged: its SHA-256 differs from the recorded one", kind=Kind.DAMAGED, file=path)
     return content
 
 

@@ -206,7 +206,7 @@ def check_drift(library: Library | ArrayResponse) -> None:
     if library.fidelity != MEASURED:
         problem = (
             f"must be calibrated to follow a drift, but it was computed ({library.fidelity}): parts that differ from "
-            "the design would pass for a drift, and touches be assigned to wrong points"
+            "the design would be taken for a drift, and touches would be assigned to wrong points"
         )
         remedy = "make a library with calibrate or recalibrate"
         raise Refusal(problem, kind=Kind.UNSUITABLE, field="library", remedy=remedy)

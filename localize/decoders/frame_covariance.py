@@ -201,7 +201,7 @@ def check_level(response: ArrayResponse, level: float | None, field: str = "ambi
     """
     check_sound_level(level, field)
     if level is not None and response.ambient_response is None:
-        problem = "needs a library with a design, which says how sound comes in"
+        problem = "needs a library with a design, from which the response to sound follows"
         raise Refusal(problem, kind=Kind.UNSUITABLE, field=field, value=level, unit="dB SPL")
 
 

@@ -98,7 +98,7 @@ def as_built_hypotheses(
 
 def bare_library() -> Refusal:
     """Refusal of bare transfer functions where a design is needed."""
-    problem = "must be one of a design, because bare transfer functions do not say what its parts are"
+    problem = "must have a design, because bare transfer functions do not describe the parts"
     return Refusal(problem, kind=Kind.UNSUITABLE, field="library")
 
 

@@ -115,7 +115,7 @@ class Checkpoint:
         if said.get("format") != FORMAT:
             raise self._refused("is not a checkpoint of this version", Kind.MISMATCH)
         if not is_sealed(said, _content(tensors)):
-            raise self._refused("is damaged: its SHA-256 is not that of what was written", Kind.DAMAGED)
+            raise self._refused("is damaged: its SHA-256 differs from the recorded one", Kind.DAMAGED)
         progress = parse_json(said["progress"], str(self.path), CheckpointError)
         described(TrainingState, said["progress"], f"{self.path}: progress", CheckpointError)
         self._compare(parse_json(said["identity"], str(self.path), CheckpointError))

@@ -32,7 +32,9 @@ def file_content(path: Path) -> FileContent:
     if path.is_dir():
         if (path / TRAINED).exists():
             return FileContent.NETWORK
-        raise Refusal(f"is a folder without {TRAINED}, so no trained localizer", kind=Kind.UNREADABLE, file=path)
+        raise Refusal(
+            f"is a folder without {TRAINED}, so it is not a trained localizer", kind=Kind.UNREADABLE, file=path
+        )
     with ordinary_file(path, "a model", Refusal).open("rb") as file:
         head = file.read(3)
     # Protocol buffers: field 1 is a small number, behind it comes the name of what wrote the file, or the graph.

@@ -203,7 +203,7 @@ def _decoder(library: Library, source: ModelSource, given: Decoding) -> LibraryD
 def _network(source: ModelSource, content: FileContent | None, given: Decoding) -> Locator:
     """Localizer in memory, a graph, or a trained localizer: each keeps its own noise and air."""
     if given.microphone_noise != "design":
-        problem = f"is for a library; {_name(source)} was made for a noise of its own"
+        problem = f"is for a library; {_name(source)} was made for a fixed noise"
         raise Refusal(problem, kind=Kind.CONFLICT, field="microphone_noise", value=given.microphone_noise, unit="Pa")
     for name, value in ({} if given.air is None else asdict(given.air)).items():
         if value is not None:

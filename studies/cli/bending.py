@@ -83,7 +83,8 @@ def _show_bending(result: Bending) -> None:
     if result.unknowns:
         say(
             f"mesh: {result.unknowns} unknowns; the differences are accurate to {100 * result.mesh_error:.2g} %, "
-            f"estimated with a mesh twice as coarse; {100 * result.straight_error:.2g} % of a straight bore removed"
+            "estimated with a mesh twice as coarse; an error of "
+            f"{100 * result.straight_error:.2g} % is subtracted, that of a straight bore"
         )
 
 

@@ -53,14 +53,20 @@ def rig(
         float, typer.Option(metavar="FACTOR", help="Modulus of the membranes relative to the design; 0.85 is softer.")
     ] = 1.0,
     warming: Annotated[
-        float, typer.Option(metavar="K", help="Warming of the sealed air since it was at rest; a worn sensor has 12 K.")
+        float,
+        typer.Option(
+            metavar="K",
+            help="Warming of the sealed air since it was in balance with the outside, K. A worn sensor warms by 12 K.",
+        ),
     ] = 0.0,
-    climb: Annotated[float, typer.Option(metavar="M", help="Height climbed since the sealed air was at rest.")] = 0.0,
+    climb: Annotated[
+        float, typer.Option(metavar="M", help="Height climbed since the sealed air was in balance with the outside, m.")
+    ] = 0.0,
     motion: Annotated[
         float,
         typer.Option(
             metavar="M/S2",
-            help="Largest acceleration of the hand that wears the sensor and is waved while it is touched, such as 5.",
+            help="Largest acceleration of a sensor that is worn on a waved hand while it is touched, such as 5.",
         ),
     ] = 0.0,
     fidelity: Annotated[Fidelity, typer.Option(help="Fidelity of the sensor's transfer functions.")] = ONE_DESIGN,
@@ -72,8 +78,8 @@ def rig(
 
     Writes a folder calibration with a recording of each point for calibrate, and a folder touches with recordings for
     locate, recalibrate and train --recordings, whose file names give the point. truth.json and truth.nc hold the hidden
-    deviations and the sensor's true library: look at them last. With --motion, the acceleration lies beside each touch,
-    for locate --acceleration, and a folder motion holds a recording of the waved sensor that nobody touches.
+    deviations and the sensor's true library: look at them last. With --motion, the acceleration is written beside each
+    touch, for locate --acceleration, and a folder motion holds a recording of the waved sensor that nobody touches.
 
     Example: [bold]acoustic-fem rig array-2x6 --out bench; acoustic-fem calibrate bench/calibration --out made.nc[/bold]
     """
@@ -286,11 +292,11 @@ def convert(
     """Convert a library without loss to another format, or to a state space or a circuit.
 
     SOFA files follow AES69-2022, convention GeneralTF-E. Every digit is kept. A state space (.mat for Octave, MATLAB
-    and Simulink, or .npz, with --as state-space) is a fit of as few common poles as keep --tolerance, stable and
-    passive also outside the band. A circuit (.cir) is a SPICE netlist of the design, by its closed forms. A Touchstone
-    file (.s14p for 12 points and 2 microphones) has the impedances between its cavities and microphones. A SOFA file
-    of another program needs --design: its receivers are the microphones, its emitters or measurements the points:
-    docs/formats.md.
+    and Simulink, or .npz, with --as state-space) is a fit within --tolerance, with as few poles as possible. It is
+    stable and passive, even outside the band. A circuit (.cir) is a SPICE netlist of the design, by its closed forms. A
+    Touchstone file (.s14p for 12 points and 2 microphones) has the impedances between its cavities and microphones. For
+    a SOFA file of another program, give --design. Its receivers are then the microphones, and its emitters or
+    measurements are the points. Guide: docs/formats.md.
 
     Example: [bold]acoustic-fem convert library.nc --out library.sofa[/bold]
     """

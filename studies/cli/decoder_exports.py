@@ -94,7 +94,9 @@ def embed(
     ] = None,
     full_scale: Annotated[
         float | None,
-        typer.Option(metavar="PA", help="Pressure of the largest sample, for digital microphones, not with volts."),
+        typer.Option(
+            metavar="PA", help="Pressure of the largest sample, for digital microphones, in place of --converter-volts."
+        ),
     ] = None,
     converter_bits: Annotated[int, typer.Option(help="Bits of a sample, 8 to 16.")] = CONVERTER_BITS,
 ) -> None:
@@ -122,7 +124,7 @@ def embed(
     for name, value in (("flash", cost.flash), ("ram", cost.ram), ("stack", cost.stack)):
         table.add_row(name, f"{value} bytes")
     table.add_row("instructions, a decision every 16 ms", str(cost.instructions))
-    table.add_row("the first one, more", str(cost.first))
+    table.add_row("additional instructions of the first decision", str(cost.first))
     show(table)
     tables = written.decoder.tables
     tell(

@@ -57,8 +57,8 @@ def studio(
 ) -> None:
     """Edit a design in the browser and see at once what each change does.
 
-    The page shows curves, the array in 3-D, the accuracy of each point and the print rules. If a value is not possible,
-    the message stands beside its field. Nothing leaves your machine, and nothing is written until you save. Press
+    The page shows curves, the array in 3-D, the accuracy of each point and the print rules. If a value is not allowed,
+    its field says why. Nothing leaves your machine, and nothing is written until you save. Press
     Ctrl-C to end. Guide: docs/studio.md.
 
     Example: [bold]acoustic-fem studio array-2x6[/bold]
@@ -87,10 +87,10 @@ def check(
     """Say whether a design will work, why not, and which change helps most.
 
     The verdict comes first: works, marginal or does not work, with the worst reasons and a computed remedy for each.
-    Four figures follow: as-built accuracy of taps, smallest tap, size and cost. Everything else, such as the print
-    rules and the parts to buy, takes a line each with its worst finding; --full prints the tables. The exit code is 0
-    if the design works, 3 if it is marginal, and 1 if it does not work or cannot be read. With --fix the exit code is
-    that of the fixed design. Parts are drawn and measured but nothing is solved in 3-D, so it takes seconds. Guide:
+    Four figures follow: as-built accuracy of taps, smallest tap, size and cost. Every other table, such as the print
+    rules and the parts to buy, is reduced to one line with its worst finding. --full prints the tables. The exit code
+    is 0 if the design works, 3 if it is marginal, and 1 if it does not work or cannot be read. With --fix the exit code
+    is that of the fixed design. Parts are drawn and measured but nothing is solved in 3-D, so it takes seconds. Guide:
     docs/verdict.md.
 
     Example: [bold]acoustic-fem check mine.toml --fix fixed.toml[/bold]
@@ -199,9 +199,9 @@ def solve(
 ) -> None:
     """Compute the transfer functions from every point to every microphone.
 
-    Writes a library. 3-D cells are kept on disk, so a design does not solve a cell that an earlier design had. The
-    default frequencies are those that a localizer needs, because touches contain sound up to 500 Hz. You save hardly
-    any time with fewer frequencies.
+    Writes a library. 3-D cells are kept on disk, so a cell that an earlier design had too is not solved again. The
+    default frequencies are those that a localizer needs, because touches contain energy up to 500 Hz. Fewer
+    frequencies save hardly any time.
 
     Give the altitude or the pressure of the place if it differs from the design's, because air matters: at 2000 m the
     signal of the far microphone of array-2x6 changes by up to 63 %.

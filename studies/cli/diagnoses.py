@@ -80,15 +80,16 @@ def diagnose(
 ) -> None:
     """Find what is broken in a built sensor, from a recording of ordinary touches.
 
-    Says that the sensor is sound, names a fault, or lists the faults that these touches cannot tell apart: a tube that
-    is narrowed or blocked, a point that leaks, a microphone that is quiet, dead, reversed or exchanged. Then it says
-    what to do at the bench and which touch would tell more. You need no calibration microphone. If you know some of the
-    touched points, give --points. Exchanged microphones show only then.
+    Says that the sensor has no fault, names a fault, or lists the faults that these touches cannot distinguish. A fault
+    is a tube that is narrowed or blocked, a point that leaks, or a microphone that is quiet, dead, reversed or
+    exchanged. Then the command says what to do at the bench and which further touch to record. You need no calibration
+    microphone. If you know some of the touched points, give --points, because exchanged microphones can only be found
+    with them.
 
-    With --batch the command diagnoses many sensors of one design. It writes a page and tables with the fault, the
-    as-built parameters and the result of each sensor against your limits into the folder --out. A run that was stopped
-    goes on where it was. A recording that cannot be used is a row of the table. The exit code is 0 if all sensors pass
-    and 3 if one does not.
+    With --batch the command diagnoses many sensors of one design. It writes a page and tables to the folder
+    --out, with the fault, the as-built parameters and the result of each sensor against your limits. If you stop the
+    command, start it again to continue. If a recording cannot be used, its row of the table says why. The exit code is
+    0 if all sensors pass and 3 if one does not.
 
     Example: [bold]acoustic-fem diagnose library.nc touches.wav --points 2.5=9,8.1=3[/bold]
     """

@@ -17,11 +17,12 @@ def fit(
         str, typer.Argument(metavar="DESIGN", help='Design file with a table [surface] and layout.kind = "surface".')
     ],
 ) -> None:
-    """Lay an array on a body from your CAD, and write the places that the design names.
+    """Lay an array on a body from your CAD program, and write the place of every part to a file.
 
-    Reads the body from STEP, STL, 3MF, OBJ or PLY. Points spread evenly over the region, each line joins near points
-    without crossing, and microphones stand where there is room. Writes the file that layout.places names. Nothing of
-    the body is repaired: if it does not do, the command says what to change in your CAD program. Guide: docs/robot.md.
+    Reads the body from STEP, STL, 3MF, OBJ or PLY. Spreads the points evenly over the region, connects neighbouring
+    points into lines that do not cross, and finds room for the microphones. Writes the file that layout.places names.
+    A body is never repaired. If it cannot be used, the command says what to change in your CAD program. Guide:
+    docs/robot.md.
 
     Example: [bold]acoustic-fem fit finger.toml[/bold], then acoustic-fem check finger.toml
     """

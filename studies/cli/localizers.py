@@ -47,7 +47,7 @@ def train(
     network: Annotated[
         str | None,
         typer.Option(
-            help="hypotheses weighs what the sensor may have come out as. patches, stride-2 and paper are "
+            help="hypotheses compares each touch with many possible as-built sensors. patches, stride-2 and paper are "
             "convolutional, each larger and slower than the one before; two-stage is the paper's network for letters, "
             "small-patches needs fewer epochs for them. Default: hypotheses; patches with --plan maps or --kind, paper "
             "with --plan paper, small-patches with --kind letters."
@@ -63,8 +63,8 @@ def train(
     as_built: Annotated[
         int | None,
         typer.Option(
-            help="Number of as-built sensors, drawn with manufacturing tolerances, on which the touches are. 0: the "
-            "sensor of the library alone, as for one that is calibrated. Default: 3000, 0 with the other plans."
+            help="Number of random as-built sensors that are touched. 0: only the sensor of the library, for a "
+            "calibrated one. Default: 3000, 0 with the other plans."
         ),
     ] = None,
     recordings: Annotated[

@@ -242,7 +242,7 @@ def track(
     """Follow a moving contact across the surface, from a recording.
 
     Writes the position every 16 ms, between the points too, and prints the gesture that each path makes. For an array
-    that fit laid on a body, the table also has the place on the body and the direction away from it.
+    on a body (docs/robot.md), the table also has the place on the body and the direction away from it.
 
     Example: [bold]acoustic-fem track library.nc recording.wav --out path.csv --picture path.png[/bold]
     """

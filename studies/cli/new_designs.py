@@ -68,7 +68,7 @@ def new(
     columns: Annotated[int | None, typer.Option(help="Points in a row. Default: searched.")] = None,
     pitch: Annotated[
         float | None,
-        typer.Option(metavar="MM", help="Distance between neighbouring points. Default: what the size leaves."),
+        typer.Option(metavar="MM", help="Distance between neighbouring points. Default: searched, within the size."),
     ] = None,
     around: Annotated[
         float | None, typer.Option(metavar="MM", help="Circumference of the wrist or tool. Default: 188 for a wrist.")
@@ -85,14 +85,16 @@ def new(
     ],
     budget: Annotated[float | None, typer.Option(metavar="USD", help="Highest cost of the parts of one array.")] = None,
     choose: Annotated[
-        int | None, typer.Option(help="Number of the proposal to write. Default: asked, or the first.")
+        int | None,
+        typer.Option(help="Number of the proposal to write. Default: you are asked on a terminal, otherwise 1."),
     ] = None,
     out: Annotated[Path | None, typer.Option(help="Design file to write. Default: NAME.toml.")] = None,
 ) -> None:
-    """Start a design of your own from your question: how many points, where, for which touch and on which printer.
+    """Find a design for your requirements: size, points, touch, printer and cost.
 
-    Searches layouts and parts that can be bought, shows the best three designs with their verdicts, and writes one of
-    them. On a terminal you are asked for what you did not give. If no design works, it says what would.
+    Searches layouts and parts that can be bought, shows at most three designs with their verdicts, and writes one of
+    them. On a terminal the command asks for the most important options that you left out. If no design works, it
+    suggests changes of the options that make one possible.
 
     Example: [bold]acoustic-fem new pad --size 30x30 --points 16 --microphones 2[/bold]
     """

@@ -145,7 +145,7 @@ def optimize(
         found = studies.optimize(study, out, workers=workers, scheduler=scheduler, display=display)
     result = found.result
     _show_front(found.problem, (result.base, *result.front[:_SHOWN]))
-    say(f"{counted(len(result.candidates), 'design')} computed, {sum(count for _, count in result.refused)} refused, "
+    say(f"{counted(len(result.candidates), 'design')} computed, {sum(count for _, count in result.refused)} rejected, "
           f"{len(result.front)} on the front")  # fmt: skip
     for file in found.files:
         say(file)

@@ -20,7 +20,7 @@ def stock(
     ] = None,
     design: Annotated[
         str | None,
-        typer.Option(metavar="DESIGN", help="List the parts of this design, and what of it cannot be bought."),
+        typer.Option(metavar="DESIGN", help="List the parts of this design, and its sizes that nobody sells."),
     ] = None,
     own: OwnStock = None,
     out: Annotated[Path | None, typer.Option(help="JSON file to write the list to.")] = None,

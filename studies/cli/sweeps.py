@@ -145,15 +145,15 @@ def _print_plan(plan: Plan, study: studies.Study) -> None:
         say(f"note: {plan.note}")
     refused = sum(plan.refused.values())
     if refused:
-        say(f"not valid: {refused}, which will be kept as failed; of each kind the first:")
+        say(f"not valid: {refused}, which will be stored as failed; the first of each kind:")
         _print_reasons(plan.refused)
     if outside := sum(plan.outside.values()):
         fate = (
-            'which will be kept as failed (outside = "navier-stokes" in the study solves them in 3-D)'
+            'which will be stored as failed (outside = "navier-stokes" in the study solves them in 3-D)'
             if study.outside == "fail"
             else "which will be solved in 3-D"
         )
-        say(f"outside the atlas: {outside}, {fate}; of each kind the first:")
+        say(f"outside the atlas: {outside}, {fate}; the first of each kind:")
         _print_reasons(plan.outside)
     if plan.cells:
         say(f"distinct cells ({study.solid_fidelity}): {plan.cells}, of which {plan.cells_cached} are in the cache")
@@ -182,7 +182,7 @@ def _print_summary(summary: Summary, out: Path) -> None:
         )
     failed = sum(len(numbers) for numbers in summary.failures.values())
     if failed:
-        say(f"{failed} failed, of each kind the first:")
+        say(f"{failed} failed, the first of each kind:")
         _print_reasons({f"{why} (case {numbers[0]})": len(numbers) for why, numbers in summary.failures.items()})
     for note in summary.notes:
         print(f"note: {in_one_line(note)}", file=sys.stderr)

@@ -242,7 +242,7 @@ def show_parts(made: MadeParts) -> None:
     )
     say(f"which part goes to which point, and which tube between: {BUILD}/assembly.txt")
     for name in made.too_large:
-        tell(f"note: {name} is too large for the plate of {made.printing.process.name} and lies on none")
+        tell(f"note: {name} is too large for {made.printing.process.name}, so it is on no plate")
     show_notes(made.notes, made.misfits)
 
 

@@ -38,7 +38,7 @@ VERBS = {
     "new": Entry(
         "new_designs",
         "Design",
-        "Start a design of your own from your question: how many points, where, for which touch and on which printer.",
+        "Find a design for your requirements: size, points, touch, printer and cost.",
     ),
     "studio": Entry(
         "designs",
@@ -48,7 +48,10 @@ VERBS = {
     ),
     "check": Entry("designs", "Design", "Say whether a design will work, why not, and which change helps most."),
     "fit": Entry(
-        "fits", "Design", "Lay an array on a body from your CAD, and write the places that the design names.", ("cad",)
+        "fits",
+        "Design",
+        "Lay an array on a body from your CAD program, and write the place of every part to a file.",
+        ("cad",),
     ),
     "compare": Entry(
         "comparisons",

@@ -121,7 +121,7 @@ def _of_design_file(text: str) -> Subject:
 def _of_folder(folder: Path) -> Subject:
     if is_sweep(folder) or journal_exists(folder):
         table = table_of_sweep(open_sweep(folder)) if is_sweep(folder) else table_of_search(*read_search(folder))
-        problem = f"holds {counted(len(table.number), 'case')}; a comparison takes single ones"
+        problem = f"holds {counted(len(table.number), 'case')}; a comparison needs single cases"
         remedy = f"name a case, such as {folder}#{table.label(0)}"
         raise Refusal(problem, kind=Kind.WRONG_TYPE, file=folder, remedy=remedy)
     if not (folder / MARK).is_file() and not (folder / _RESULTS_OF_RUN).is_file():

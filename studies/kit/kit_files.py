@@ -201,7 +201,7 @@ def _first_words(name: str, has_body: bool) -> str:
     lines = [
         f"Kit of {name}",
         "",
-        f"Open {BUILD}/manual.html in a browser: it leads through all steps. Jobs in order:",
+        f"Open {BUILD}/manual.html in a browser. It explains all steps. Jobs in order:",
         "",
     ]
     lines += [f"{job}  {words}" for job, words in jobs.items()]

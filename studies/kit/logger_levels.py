@@ -238,7 +238,10 @@ def _on_overload(design: ArrayDesign, loudest: float, largest: float) -> Iterato
     better = [(each.part_number, value) for each, value in values if value > overload]
     enough = [f"{name} ({value:.3g} Pa)" for name, value in better if value >= loudest]
     if enough:
-        yield f"If your touches are harder, set microphone.model before you order: {', '.join(enough)} record it whole."
+        yield (
+            f"If your touches are harder, set microphone.model before you order: {', '.join(enough)} record it without "
+            "clipping."
+        )
     elif better:
         name, value = max(better, key=lambda each: each[1])
         chosen = catalogue().microphone(name)
@@ -246,5 +249,5 @@ def _on_overload(design: ArrayDesign, loudest: float, largest: float) -> Iterato
         yield (
             f"If your touches are harder, set microphone.model = {name!r} before you order. It reaches {value:.3g} Pa, "
             f"{20 * math.log10(value / overload):.1f} dB more, so taps of up to {largest * value / overload:.2g} N. No "
-            f"microphone of the catalogue is stated to record {force:g} N whole.{boardless}"
+            f"microphone of the catalogue is specified to record {force:g} N without clipping.{boardless}"
         )

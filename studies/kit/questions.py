@@ -185,7 +185,7 @@ def _casting(facts: Facts) -> Sequence[tuple[str, str, str]]:
         ("pot_life", f"{pot:g} min, then {cure:g} h at 23 degC.", "step-4"),
         (
             "mold",
-            f"The face that will be glued points up, towards the lid. You know it later: {glued_face_words(design)}.",
+            f"The face that will be glued points up, towards the lid. To recognize it: {glued_face_words(design)}.",
             "step-5",
         ),
         (
@@ -260,7 +260,7 @@ def _pin_words(electronics: Electronics) -> str:
     wiring = electronics.wiring
     pin = wiring.pins[1] if wiring.pins else None
     words = (
-        f"The numbers of the pins of {wiring.model} are in no source that the program has, so no file states them. "
+        f"The program has no source for the pin numbers of {wiring.model}, so no file states them. "
         "Look up the name of pin 2 in its data sheet, then wire that name as the table of wires says."
         if pin is None
         else f"Pin 2 of {wiring.model} is {pin} ({wiring.source})."
@@ -274,7 +274,9 @@ def _pin_words(electronics: Electronics) -> str:
 def _logger_words(electronics: Electronics) -> str:
     """Most suitable logger, with its range."""
     if not electronics.levels.loggers:
-        return "None of the catalogue has an input for each microphone: use one with enough inputs that reaches 3 Hz."
+        return (
+            "No logger in the catalogue has an input for each microphone. Use one with enough inputs that reaches 3 Hz."
+        )
     first = electronics.levels.loggers[0]
     if first.volts is None:
         return f"None: {first.name}. A controller reads it; embed writes the firmware."

@@ -116,7 +116,7 @@ def read_seal(out: Path) -> Seal:
     held = read_bytes(out / JOURNAL, "the journal of a search", StudyError, _LARGEST)
     if found.bytes and sha256(held[: found.bytes]) != found.sha256:
         raise StudyError(
-            "is damaged: its SHA-256 is not that of what was written", kind=Kind.DAMAGED, file=out / JOURNAL,
+            "is damaged: its SHA-256 differs from the recorded one", kind=Kind.DAMAGED, file=out / JOURNAL,
             remedy="search anew in a new folder",
         )  # fmt: skip
     return found

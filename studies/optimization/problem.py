@@ -254,11 +254,11 @@ def _check_slopes(objectives: Sequence[Objective], study: Study) -> None:
     if len(objectives) != 1 or objectives[0].metric.slopes is None:
         having = ", ".join(metric.name for metric in METRICS.values() if metric.slopes is not None)
         given = ", ".join(each.metric.name for each in objectives)
-        problem = f"needs one objective that has slopes, {having}; the objectives are {given}"
+        problem = f"needs one objective that has derivatives, {having}; the objectives are {given}"
         raise Refusal(problem, kind=Kind.CONFLICT, field="optimize.method", value="gradient")
     for axis in study.axes:
         first = axis[0]
         free = not first.values and not first.whole and not first.step and min(first.low, first.high) > 0
         if len(axis) != 1 or not free:
-            allowed = "a range above 0 of its own, without steps, for optimize.method = 'gradient'"
+            allowed = "a range above 0, without steps and not under [[together]], for optimize.method = 'gradient'"
             raise Refusal(kind=Kind.CONFLICT, field=f"vary.{first.name}", allowed=allowed)

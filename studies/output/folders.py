@@ -240,7 +240,7 @@ def check_folder(path: Path, maker: str | None = None, *marks: str, reads: Files
         raise Refusal(problem, kind=Kind.EXISTS, file=path, field=Field("out"))
     for read in reads:
         if read is not None and Path(read).exists() and Path(read).resolve().is_relative_to(path.resolve()):
-            problem = f"holds {read}, which is read"
+            problem = f"holds {read}, which this command reads"
             raise Refusal(problem, kind=Kind.CONFLICT, file=path, field=Field("out"), remedy="name another folder")
     is_own = maker is None or not path.is_dir() or any((path / mark).is_file() for mark in marks)
     if not is_own and set(path.iterdir()) - set(_unfinished(path, marks)):
@@ -319,7 +319,7 @@ def _check_not_read(path: Path, reads: Files, option: str) -> None:
     """Refuse to write over what is read, whatever it is called: through links, and where case does not count."""
     for read in reads:
         if read is not None and path.exists() and Path(read).exists() and path.samefile(read):
-            same = "a file that is read" if Path(read) == path else f"the same file as {read}, which is read"
+            same = "an input of this command" if Path(read) == path else f"the same file as {read}, an input"
             problem = f"is {same}"
             raise Refusal(problem, kind=Kind.CONFLICT, file=path, field=Field(option), remedy="name another file")
 

@@ -102,7 +102,7 @@ def _read_manifest(folder: Path) -> dict[str, _Listed]:
         raise Refusal(kind=Kind.MISSING, file=path, remedy="give the folder of a run that ended")
     content: Any = parse_json(read_bytes(path, "a list of files", Refusal, LARGEST_TEXT), str(path), Refusal)
     if not isinstance(content, dict) or not is_sealed(content):
-        raise Refusal("is damaged: its SHA-256 is not that of what was written", kind=Kind.DAMAGED, file=path)
+        raise Refusal("is damaged: its SHA-256 differs from the recorded one", kind=Kind.DAMAGED, file=path)
     if content.get("format") != _FORMAT:
         problem = f"this version of the program reads format {_FORMAT}"
         raise Refusal(problem, kind=Kind.MISMATCH, file=path, field="format", value=content.get("format"))

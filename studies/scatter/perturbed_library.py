@@ -211,7 +211,7 @@ class PerturbedLibrary:
         for each in (f"{name}/{METADATA}", f"{name}/c/{block}/0/0/0"):
             if sha256(read_bytes(self.path / each, "a part of a library", Refusal)) != self._sums[each]:
                 raise Refusal(
-                    "is damaged: its SHA-256 is not that of what was written",
+                    "is damaged: its SHA-256 differs from the recorded one",
                     kind=Kind.DAMAGED, file=self.path / each, remedy="write the library again",
                 )  # fmt: skip
         array = zarr.open_array(self.path / name, mode="r", zarr_format=3)

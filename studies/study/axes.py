@@ -76,7 +76,7 @@ def _check_distinct(table: str, axis: tuple[Parameter, ...]) -> None:
         if row in seen:
             alone = axis[0] if len(axis) == 1 else None
             raise Refusal(
-                "is there twice, which gives equal cases",
+                "appears twice, which gives equal cases",
                 kind=Kind.CONFLICT,
                 field=table if alone is None else f"{table}.{alone.name}",
                 value=list(row) if alone is None else row[0],

@@ -20,7 +20,7 @@ def first_difference(stored: Mapping[str, Any], wanted: Mapping[str, Any]) -> st
                 return f"its frequencies are {ends[0]}, not {ends[1]}"
             if name == "vary":
                 return _parameter_difference(stored[name], wanted[name])
-            return f"its {name} is {stored.get(name)!r}, not {wanted[name]!r}"
+            return f"it has {name} = {stored.get(name)!r}, not {wanted[name]!r}"
     return ""
 
 

@@ -333,7 +333,7 @@ class Records:
         path = self._chunk_path(name, first)
         content = read_bytes(path, "a part of the results of a sweep", StudyError)
         if sha256(content) != digest:
-            raise StudyError("is damaged: its SHA-256 is not that of what was written", kind=Kind.DAMAGED, file=path)
+            raise StudyError("is damaged: its SHA-256 differs from the recorded one", kind=Kind.DAMAGED, file=path)
         return content
 
     def _chunk_path(self, name: str, first: int) -> Path:

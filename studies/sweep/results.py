@@ -441,7 +441,7 @@ def open_sweep(path: str | os.PathLike[str]) -> Sweep:
     except StudyError as error:
         if error.kind is Kind.MISMATCH:
             raise
-        remedy = "run the same sweep again, which computes again what is damaged"
+        remedy = "run the same sweep again to compute the damaged part again"
         raise StudyError.of(error, remedy=remedy) from None
     for name in records.metrics:
         if name not in METRICS:

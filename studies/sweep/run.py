@@ -140,13 +140,13 @@ def _run_sweep(
 
 
 def _stopped(out: Path, why: str) -> SweepError:
-    return SweepError(why, kind=Kind.STOPPED, file=out, remedy="what is done is kept, run again to continue")
+    return SweepError(why, kind=Kind.STOPPED, file=out, remedy="finished cases are kept, run again to continue")
 
 
 def _lack(error: OSError | MemoryError) -> str:
     """The resource that the machine lacks, in words."""
     if isinstance(error, MemoryError):
-        return f"the memory does not suffice ({said_by(error)})"
+        return f"there is not enough memory ({said_by(error)})"
     where = "" if error.filename is None else f" ({error.filename})"
     return f"{error.strerror or said_by(error)}{where}"
 

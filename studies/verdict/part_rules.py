@@ -171,7 +171,7 @@ def bottoming(design: ArrayDesign, known: KnownDiscs | None = None, *, estimated
     at = f"{design.target.force:g} N"
     words = f"{where} is pressed down by {100 * depth.max():.0f} % of the height of the cavity at {at}"
     if torn.max() > depth.max():
-        words = f"{where} takes {100 * torn.max():.0f} % of the force that tears it at {at}"
+        words = f"{where} bears {100 * torn.max():.0f} % of the force that tears it at {at}"
     return Measured(float(worse.max()), words, points)
 
 

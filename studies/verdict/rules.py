@@ -74,8 +74,8 @@ class VerdictRule:
 _DRAWN = "the layout, and the parts where the extra cad is installed"
 _TOUCHES = "transfer functions (closed forms), noise of the air and of the microphones, force and contact of the target"
 _SENSORS = (
-    "as-built sensors, microphones included, drawn from the tolerances that the default decoder assumes of a sensor "
-    "that nobody calibrated, and this decoder"
+    "the default decoder, on random as-built sensors and microphones with the tolerances that it assumes for a sensor "
+    "that nobody calibrated"
 )
 
 #: Rules of the verdict, in the order of the page on it.
@@ -94,16 +94,16 @@ RULES: tuple[VerdictRule, ...] = (
     VerdictRule(
         "designed", "top-1 accuracy of the sensor as designed, for the worst of taps, presses and multi-sines", "1",
         "at least", 0.98, 0.9, "transfer functions, noise, and the default decoder",
-        "an exact sensor has no excuse: one touch in fifty at the wrong point is already more than a user of a keypad "
-        "accepts. Ours",
+        "without tolerances, one touch in fifty at the wrong point is already more than a user of a keypad accepts. "
+        "Our choice",
     ),
     VerdictRule(
         "taps", "top-1 accuracy of taps on as-built sensors, mean of the sensors", "1", "at least", 0.95, 0.8, _SENSORS,
-        "one tap in twenty may be repeated, one in five may not. Ours",
+        "a user may repeat one tap in twenty but not one in five. Our choice",
     ),
     VerdictRule(
         "presses", "top-1 accuracy of presses on as-built sensors, mean of the sensors", "1", "at least", 0.95, 0.8,
-        _SENSORS, "as for taps. Presses hold low frequencies, where points differ least. Ours",
+        _SENSORS, "as for taps. Presses have low frequencies, where points differ least. Our choice",
     ),
     VerdictRule(
         "multi-sines", "top-1 accuracy of multi-sine touches on as-built sensors, mean of the sensors", "1", "at least",
@@ -113,14 +113,15 @@ RULES: tuple[VerdictRule, ...] = (
         "slow", "smallest distance of two points over 3 to 10 Hz: rms of the logarithm of the ratio of their "
         "microphone ratios, nepers and radians", "1", "at least", 0.08, 0.03, "transfer functions (closed forms)",
         "microphones of one type differ by 5 % (one standard deviation of +-1 dB), so the ratio of two is off by 7 %. "
-        "A slow press has little else than this ratio. The rule says why presses fail, and tells searches so in a "
-        "millisecond. All eight designs below 0.01 in benchmarks/verdicts.py also break the rule on presses, whose "
-        "prediction draws such microphones",
+        "A slow press gives a decoder little more than this ratio. The rule shows why presses fail, and takes only a "
+        "millisecond in searches. All eight designs below 0.01 in benchmarks/verdicts.py also break the rule on "
+        "presses, whose prediction includes such microphones",
     ),
     VerdictRule(
         "separate", "force on a neighbour's membrane, as a fraction of that on the touched one, for a contact of the "
         "target's radius in the middle of a point", "1", "at most", 0.1, 0.5, "the layout, and Hertz's law of contact",
-        "a contact that presses two points has no single right answer. At 0.1 the other point is 20 dB weaker. Ours",
+        "if a contact presses two points, no single point is correct. At 0.1 the other point is 20 dB weaker. Our "
+        "choice",
     ),
     VerdictRule(
         "bottoming", "deflection of the membrane at the target's force, as a fraction of the height of the cavity, or "
@@ -150,7 +151,7 @@ RULES: tuple[VerdictRule, ...] = (
     VerdictRule(
         "coverage", "fraction of the area in which a contact of the target's radius touches a membrane", "1",
         "at least", 0.5, 0.05, "the layout, and the contact of the target",
-        "below one half, most touches at a random place miss all points. Below 0.05 nineteen of twenty do. Ours",
+        "below 0.5, most touches at a random place miss all points. Below 0.05, nineteen of twenty do. Our choice",
     ),
     VerdictRule(
         "affordable", "cost of the materials of one array by the budget of the target", "1", "at most", 1, 1.25,

@@ -60,7 +60,7 @@ def overload_lines(verdict: Verdict) -> Iterator[str]:
         yield (
             f"- not judged: a tap of {force:g} N reaches {number(verdict.loudest_tap)} Pa, "
             f"{verdict.above_overload:.1f} dB above the overload of the microphone ({overload:g} Pa), so it is clipped;"
-            " a microphone with a higher overload records it whole"
+            " a microphone with a higher overload records it without clipping"
         )
 
 

@@ -515,7 +515,7 @@ def test_the_usual_tolerance_is_told_beside_that_of_the_process(coarse, tmp_path
     assert [*dict.fromkeys(effect.tolerance for effect in report.effects)] == [0.05, 0.02]
     assert report.effects == acoustic_effects(fine, 0.05) + acoustic_effects(fine, 0.02)
     page = write_report(report, tmp_path, "fingertip")[1].read_text(encoding="utf-8")
-    assert page.index("What ±0.02 mm does to the sound") > 0 < page.index("What ±0.05 mm does to the sound")
+    assert page.index("Effect of ±0.02 mm on the sound") > 0 < page.index("Effect of ±0.05 mm on the sound")
 
 
 # -- files ----------------------------------------------------------------------------------------------------

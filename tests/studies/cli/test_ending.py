@@ -84,7 +84,7 @@ def test_a_sweep_on_a_full_disk_names_its_store_and_goes_on_later(
     with monkeypatch.context() as patch:
         patch.setattr("studies.sweep.records.Records.write", full)
         told = command("sweep", study, "--out", out, "--workers", 1)
-    said = f"acoustic-fem: {out}: No space left on device ({out}); what is done is kept, run again to continue"
+    said = f"acoustic-fem: {out}: No space left on device ({out}); finished cases are kept, run again to continue"
     assert (told.code, told.err.splitlines()[-1]) == (1, said)
     assert command("sweep", study, "--out", out, "--workers", 1).code == 0
 

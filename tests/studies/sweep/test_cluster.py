@@ -306,7 +306,7 @@ def test_a_scheduler_that_is_stopped_or_killed_ends_the_sweep_in_one_line_and_it
             (cluster.folder / "hold-w1").unlink()
             wait_for(partial(wrote_more, out, len(events(out, "block"))), run)
             cluster.scheduler.send_signal(blow)
-            line = f"acoustic-fem: {out}: {told}; what is done is kept, run again to continue"
+            line = f"acoustic-fem: {out}: {told}; finished cases are kept, run again to continue"
             assert ended(run) == (1, [line])
         cluster.scheduler.send_signal(signal.SIGCONT)
     assert 0 < len(events(out, "block")) < BLOCKS

@@ -185,7 +185,7 @@ def test_cases_outside_the_atlas_are_counted_beforehand_with_the_reason(tmp_path
     assert "cavity height by radius = 2.4" in reason
     assert plan.cells == 0
     shown = CliRunner().invoke(app, ["sweep", str(tmp_path / "study.toml"), "--dry-run"])
-    assert "outside the atlas: 1, which will be kept as failed" in shown.stdout
+    assert "outside the atlas: 1, which will be stored as failed" in shown.stdout
     assert "cavity height by radius = 2.4" in shown.stdout
     solid = studies.plan_sweep(studies.Study(**OUTSIDE, outside="navier-stokes"), workers=1)
     assert solid.cells > 0

@@ -48,7 +48,7 @@ def test_a_sweep_is_a_success_where_a_case_could_be_computed(tmp_path: Path, len
     out = tmp_path / "r.zarr"
     told = CliRunner().invoke(app, ["sweep", str(tmp_path / "study.toml"), "--out", str(out), "--workers", "1"])
     assert told.exit_code == code, told.output
-    assert f"{1 + code} failed, of each kind the first:" in told.output
+    assert f"{1 + code} failed, the first of each kind:" in told.output
     if code:
         assert isinstance(told.exception, SweepError)
         assert str(told.exception).startswith(f"{out}: none of 2 cases could be computed; case 0: array-2x6: cannot be")

@@ -288,8 +288,8 @@ def test_a_machine_that_lacks_disk_or_memory_fails_no_case_and_ends_the_sweep_in
     with pytest.raises(run.SweepError) as ended:
         run_sweep(study, out, workers=workers)
     assert (ended.value.kind, ended.value.file) == (Kind.STOPPED, str(out))
-    assert "No space left" in str(ended.value) or "memory does not suffice (Unable to allocate)" in str(ended.value)
-    assert str(ended.value).endswith("what is done is kept, run again to continue")
+    assert "No space left" in str(ended.value) or "not enough memory (Unable to allocate)" in str(ended.value)
+    assert str(ended.value).endswith("finished cases are kept, run again to continue")
     state = open_sweep(out).values["state"]
     assert 0 < (state == 0).sum() < 40
     assert not open_sweep(out).failed[(state != 0) & ~open_sweep(finished[0]).failed].any()
@@ -376,7 +376,7 @@ def test_the_verb_says_what_it_did_and_goes_on(tmp_path: Path) -> None:
     first = CliRunner().invoke(app, ["sweep", str(tmp_path / "study.toml"), "--out", str(out)])
     assert first.exit_code == 0, first.output
     assert "40 cases, 40 computed now" in first.stdout
-    assert re.search(r"\d+ failed, of each kind the first:\n +\d+ x array-2x6: ", first.stdout)
+    assert re.search(r"\d+ failed, the first of each kind:\n +\d+ x array-2x6: ", first.stdout)
     assert "40 of 40 cases" in first.stderr
     again = CliRunner().invoke(app, ["sweep", str(tmp_path / "study.toml"), "--out", str(out)])
     assert "40 cases, 0 computed now" in again.stdout
