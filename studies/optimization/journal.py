@@ -72,7 +72,7 @@ def opened(out: Path, directions: Directions, identity: dict[str, Any], atlas: s
         if whole < path.stat().st_size:
             with path.open("r+b") as file:
                 file.truncate(whole)
-    search = _study(path, directions)
+    search = _study(path, directions, path)
     of_whom = search.user_attrs.get("problem")
     if of_whom is None:
         search.set_user_attr("atlas", atlas)
@@ -93,7 +93,7 @@ def read_only(out: Path, directions: Directions, identity: dict[str, Any]) -> It
     with temporary_folder() as folder:
         copy = folder / JOURNAL
         copy.write_bytes(held[: held.rfind(b"\n") + 1])
-        search = _study(copy, directions)
+        search = _study(copy, directions, out / JOURNAL)
         _check_owner(out / JOURNAL, search.user_attrs.get("problem"), identity)
         yield search
 
@@ -130,8 +130,8 @@ def _stated(out: Path) -> Seal:
     return Seal(length, digest, dict(unprintable))
 
 
-def _study(path: Path, directions: Directions) -> optuna.Study:
-    """Optuna's study of a journal.
+def _study(path: Path, directions: Directions, original: Path) -> optuna.Study:
+    """Optuna's study of a journal, or of a copy of it; errors name the original.
 
     Raises:
         StudyError: a line does not belong to a journal.
@@ -150,7 +150,7 @@ def _study(path: Path, directions: Directions) -> optuna.Study:
         raise
     except Exception as error:  # of Optuna alone, which raises anything at lines that are not its own
         problem = f"is not the journal of a search: {type(error).__name__}: {said_by(error)}"
-        raise StudyError(problem, kind=Kind.UNREADABLE, file=path) from None
+        raise StudyError(problem, kind=Kind.UNREADABLE, file=original) from None
 
 
 def _check_owner(path: Path, of_whom: object, identity: dict[str, Any]) -> None:

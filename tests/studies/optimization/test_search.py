@@ -437,7 +437,7 @@ def test_a_line_of_no_journal_is_refused_by_the_file(line: str, tmp_path: Path) 
     (tmp_path / JOURNAL).write_bytes(LINES[line].encode(errors="surrogateescape"))
     with refused(Kind.UNREADABLE, file=tmp_path / JOURNAL, error=StudyError):
         opened(tmp_path, ["minimize"], {}, "")
-    with refused(Kind.UNREADABLE, error=StudyError), read_only(tmp_path, ["minimize"], {}):
+    with refused(Kind.UNREADABLE, file=tmp_path / JOURNAL, error=StudyError), read_only(tmp_path, ["minimize"], {}):
         pass
 
 

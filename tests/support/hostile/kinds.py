@@ -261,7 +261,8 @@ def studies() -> Iterator[Variant]:
         '{"op_code": 0, "worker_id": 5}',
         '{"op_code": 4, "trial_id": 99999999}',
     ):
-        yield Variant(f"journal line {line[:20]}", ("best", "found"), "sane", _appended("found/trials.journal", line))
+        change = _appended("found/trials.journal", line)
+        yield Variant(f"journal line {line[:20]}", ("best", "found"), "sane", change, ("found/",))
 
 
 def _appended(name: str, line: str) -> Change:
