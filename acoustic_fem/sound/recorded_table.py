@@ -23,7 +23,7 @@ from geometry.ground.text_files import encoding_of
 from geometry.ground.typed import Array
 
 _SEPARATORS = ("\t", ";", ",")
-_LONGEST_LINE = 1_000_000
+_LONGEST_LINE, _SHOWN = 1_000_000, 40
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,12 +65,16 @@ class _Reader:
     def table(self, file: IO[str]) -> RecordedTable:
         """Table of an open file."""
         rows = self._rows(file)
-        _, head = next(rows, (0, []))
+        number, head = next(rows, (0, []))
         names = [name.strip() for name in head]
         if not any(names):
             raise self._fault("has no row of names, so it is empty or not a CSV file")
         if len(names) == 1 and len(names[0].split()) > 1:
-            raise self._fault("has blanks between its values; separate them by commas, semicolons or tabs")
+            raise self._fault(
+                f"holds {names[0][:_SHOWN]!r} in place of names; remarks must begin with #, and names and values must "
+                "be separated by commas, semicolons or tabs",
+                field=f"line {number}",
+            )
         values = array("d")
         lines: list[int] = []
         for line, row in rows:
@@ -90,8 +94,11 @@ class _Reader:
         text = self._lines(file)
         with library_reads(self._path, "a CSV file", self._refusal):
             number, first = next(((k, line) for k, line in text if line.strip() and line[0] != "#"), (0, ""))
-            if first.lower().startswith("sep=") and len(first.strip("\r\n")) == 5:
-                self._separator = first[4]
+            stated = first.rstrip("\r\n")
+            if len(stated) == 7 and stated[0] == stated[-1] == '"':
+                stated = stated[1:-1]
+            if stated.lower().startswith("sep=") and len(stated) == 5:
+                self._separator = stated[4]
                 number, first = next(((k, line) for k, line in text if line.strip() and line[0] != "#"), (0, ""))
         if self._separator is None:
             self._separator = next((each for each in _SEPARATORS if each in first), ",")
