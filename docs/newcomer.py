@@ -4,22 +4,26 @@ Writes the files that a page gives (a ``toml`` block below the file's name) and 
 in order, into one shell in a fresh clone of the checkout. It ends with exit code 1 at the first command that fails, or
 picture or page that a block names and nobody drew, or that shows nothing. What takes recordings of one's own is in
 ``bash`` blocks: nobody types it. On a bare machine the first block of README installs everything; ``--venv .venv``
-takes an installation that there is. What listens to a sound card or serves a page until it is stopped cannot be done
-this way.
+takes an installation that there is. What listens to a sound card cannot be done this way. The studio, which serves its
+page until it is stopped, runs in a terminal of its own: the browser that it opens is ``--visit`` of this script, which
+changes one field of the page in Chromium, and Ctrl-C ends the studio.
 """
 
 from __future__ import annotations
 
 import argparse
 import os
+import pty
 import re
+import select
 import subprocess
 import sys
 import tempfile
+import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-START = ("README", "install", "first-minutes", "tutorial")
+START = ("README", "install", "first-minutes", "tutorial", "studio")
 GUIDES = (
     *("studies/topology/README", "compare", "first-study", "studies", "cluster", "optimize", "tolerances", "parts"),
     *("assemble", "bending", "calibration", "realtime", "live", "tracks", "kinds", "letters", "pulse", "embed"),
@@ -30,6 +34,11 @@ FILE = re.compile(r"`([\w-]+\.toml)`:\n\n```toml\n(.*?)^```", re.MULTILINE | re.
 PICTURE = re.compile(r"(?<![\w./-])[\w./-]+\.(?:png|html)\b")
 #: The exit code 3 of ``check`` is that of a marginal design, and a page goes on with it.
 MARGINAL = 'acoustic-fem() { command acoustic-fem "$@" || { local code=$?; [ $code = 3 ] || return $code; }; }'
+#: Command that serves until Ctrl-C; longest time in s that it may take; what the visitor of its page prints at the end.
+SERVES, LONGEST, VISITED = re.compile(r"^acoustic-fem studio\b", re.MULTILINE), 400.0, "The visit has ended: "
+CTRL_C = b"\x03"
+#: Field of the page that the visitor changes, to which value.
+FIELD, VALUE = "tube.length", "14"
 #: Of a picture that shows something: the least share of pixels unlike its corner; of a page: bytes of its body.
 INKED, SMALLEST = 0.01, 5_000
 
@@ -70,6 +79,52 @@ def typed(page: Path) -> str:
     return "\n".join(lines) + "\n"
 
 
+def in_shell(script: str, clone: Path, environment: dict[str, str]) -> int:
+    """Run a script in a folder and return its exit code."""
+    return subprocess.run(["bash", "-x", "-c", script], cwd=clone, check=False, env=environment).returncode
+
+
+def in_terminal(script: str, clone: Path, environment: dict[str, str]) -> int:
+    """Run a script that serves a page in a terminal, press Ctrl-C after the visit, and return the exit code.
+
+    The exit code is 1 if the visit failed or did not end in time.
+    """
+    child, terminal = pty.fork()
+    if child == 0:
+        os.chdir(clone)
+        os.execvpe("bash", ["bash", "-x", "-c", script], environment)
+    end, printed, pressed = time.monotonic() + LONGEST, "", False
+    while time.monotonic() < end and select.select([terminal], [], [], end - time.monotonic())[0]:
+        try:
+            chunk = os.read(terminal, 4096)
+        except OSError:  # Linux says so when nobody holds the other end any more
+            break
+        sys.stdout.write(chunk.decode("utf-8", "replace"))
+        printed += chunk.decode("utf-8", "replace")
+        if VISITED in printed and not pressed:
+            pressed = os.write(terminal, CTRL_C) == 1
+    os.close(terminal)  # hangs up on what still runs
+    code = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+    return code if f"{VISITED}well" in printed else code or 1
+
+
+def visit(address: str) -> bool:
+    """Open the page of a studio, change a field, and return whether the page has followed without a fault."""
+    sys.path.append(str(ROOT / "tests" / "support"))
+    from browser import chromium, give, opened_at, shown
+
+    with chromium() as browser:
+        page = opened_at(browser.new_context(), address)
+        stages, curves = ("model", "points", "verdict", "as_built"), page.locator("#plots canvas").first
+        shown(page, *stages)
+        before = curves.screenshot(), page.inner_text("#verdict-shown")
+        give(page, FIELD, VALUE)
+        shown(page, *stages)
+        after = curves.screenshot(), page.inner_text("#verdict-shown")
+        print(f"before: {before[1]}\n{FIELD} = {VALUE}: {after[1]}", *page.problems, sep="\n")
+        return not page.problems and before[0] != after[0]
+
+
 def main() -> int:
     """Exit code: 0 where all pages could be done."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
@@ -79,10 +134,18 @@ def main() -> int:
     parser.add_argument(
         "--look", type=Path, metavar="FILE", help="only say whether this picture or page shows anything"
     )
+    parser.add_argument("--visit", metavar="ADDRESS", help="only open a studio in Chromium and change a field")
     asked = parser.parse_args()
     if asked.look is not None:
         print(f"{asked.look}: {'seen' if (seen := shows_something(asked.look)) else 'shows nothing'}")
         return 0 if seen else 1
+    if asked.visit is not None:
+        followed = False
+        try:
+            followed = visit(asked.visit)
+        finally:
+            print(f"{VISITED}{'well' if followed else 'with a fault'}", flush=True)
+        return 0 if followed else 1
     with tempfile.TemporaryDirectory() as folder:
         clone = Path(folder) / "acoustic-fem"
         subprocess.run(["git", "clone", "--quiet", str(ROOT), str(clone)], check=True)
@@ -95,9 +158,11 @@ def main() -> int:
             if name not in START[:2]:  # both install
                 script = ". .venv/bin/activate\n" + script  # what the page says was done before
             own = {"PYTHONPATH": str(clone)} if asked.venv is not None else {}
-            done = subprocess.run(["bash", "-x", "-c", script], cwd=clone, check=False, env={**os.environ, **own})
-            print(f"{name}: {'done' if done.returncode == 0 else f'ended with {done.returncode}'}", flush=True)
-            if done.returncode:
+            own["BROWSER"] = f"{clone}/.venv/bin/python {clone}/docs/newcomer.py --visit %s"
+            run = in_terminal if SERVES.search(script) else in_shell
+            code = run(script, clone, {**os.environ, **own})
+            print(f"{name}: {f'ended with {code}' if code else 'done'}", flush=True)
+            if code:
                 return 1
     return 0
 

@@ -103,7 +103,8 @@ def serve_studio(
             if is_visible:
                 notify("Other machines can reach it and nothing is encrypted: use it only in a network that you trust.")
             if browser:
-                webbrowser.open(address())
+                # A thread of its own: some browsers return only when the user leaves them, and the server runs below.
+                threading.Thread(target=webbrowser.open, args=(address(),), daemon=True).start()
             server.run(sockets=[listening])
     except KeyboardInterrupt:
         notify("The studio has ended; pages keep their designs until it is there again.")

@@ -245,7 +245,7 @@ def test_a_newcomer_types_every_block_and_looks_at_the_pictures(
         blocks = newcomer.blocks_of(newcomer.page_of(ROOT, name))
         # From page to page in one terminal: nobody is led elsewhere.
         assert not re.search(r"^cd ", "".join(blocks), re.MULTILINE), name
-        assert name == "README" or any(map(newcomer.pictures_of, blocks)), f"{name}: no picture to look at"
+        assert name in ("README", "studio") or any(map(newcomer.pictures_of, blocks)), f"{name}: no picture to look at"
 
 
 def test_a_newcomer_sees_whether_a_picture_shows_anything(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -115,14 +115,24 @@ def until(page: Any, condition: str, seconds: float = 120.0) -> Any:
 
 
 def opened(context: Any, running: Studio) -> Any:
-    """A page of the studio that has painted its first curves; ``problems``: errors and requests to elsewhere."""
+    """A page of the studio that has painted its first curves, at an address that nobody has used."""
+    return opened_at(context, running.take_address())
+
+
+def opened_at(context: Any, address: str) -> Any:
+    """A page of a studio that has painted its first curves; ``problems``: errors and requests to elsewhere.
+
+    Args:
+        context: of Playwright's synchronous API.
+        address: what the studio printed, with its code.
+    """
     found = context.new_page()
     found.problems = []
     found.on("pageerror", lambda error: found.problems.append(str(error)))
     found.on("console", lambda told: found.problems.append(told.text) if "Content Security" in told.text else None)
-    here = (f"http://127.0.0.1:{running.port}/", "data:", "blob:")
+    here = (address.partition("?")[0], "data:", "blob:")
     found.on("request", lambda asked: None if asked.url.startswith(here) else found.problems.append(asked.url))
-    found.goto(running.take_address())
+    found.goto(address)
     until(found, f"document.documentElement.dataset.painted !== undefined && {PAINTED}")
     return found
 
