@@ -4,9 +4,9 @@ Writes the files that a page gives (a ``toml`` block below the file's name) and 
 in order, into one shell in a fresh clone of the checkout. It ends with exit code 1 at the first command that fails, or
 picture or page that a block names and nobody drew, or that shows nothing. What takes recordings of one's own is in
 ``bash`` blocks: nobody types it. On a bare machine the first block of README installs everything; ``--venv .venv``
-takes an installation that there is. What listens to a sound card cannot be done this way. The studio, which serves its
-page until it is stopped, runs in a terminal of its own: the browser that it opens is ``--visit`` of this script, which
-changes one field of the page in Chromium, and Ctrl-C ends the studio.
+takes an installation that there is, and with ``--wheel`` its package, too. What listens to a sound card cannot be done
+this way. The studio serves its page until it is stopped, so it runs in a terminal of its own. The browser that it opens
+is ``--visit`` of this script, which changes one field of the page in Chromium. Then Ctrl-C ends the studio.
 """
 
 from __future__ import annotations
@@ -131,6 +131,7 @@ def main() -> int:
     parser.add_argument("pages", nargs="*", metavar="PAGE")
     parser.add_argument("--guides", action="store_true", help="the pages of Guides, an hour or so of one core")
     parser.add_argument("--venv", type=Path, help="an installation to use as .venv of the clone")
+    parser.add_argument("--wheel", action="store_true", help="run the package that --venv has, not that of the clone")
     parser.add_argument(
         "--look", type=Path, metavar="FILE", help="only say whether this picture or page shows anything"
     )
@@ -157,8 +158,8 @@ def main() -> int:
             script = typed(page_of(clone, name))
             if name not in START[:2]:  # both install
                 script = ". .venv/bin/activate\n" + script  # what the page says was done before
-            own = {"PYTHONPATH": str(clone)} if asked.venv is not None else {}
-            own["BROWSER"] = f"{clone}/.venv/bin/python {clone}/docs/newcomer.py --visit %s"
+            own = {"PYTHONPATH": str(clone)} if asked.venv is not None and not asked.wheel else {}
+            own["BROWSER"] = f"{sys.executable} {clone}/docs/newcomer.py --visit %s"
             run = in_terminal if SERVES.search(script) else in_shell
             code = run(script, clone, {**os.environ, **own})
             print(f"{name}: {f'ended with {code}' if code else 'done'}", flush=True)
