@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import importlib
 import json
+import os
 import re
 import shutil
 import subprocess
 import sys
+import time
 from pathlib import Path
 from types import ModuleType
 
@@ -260,15 +262,33 @@ def test_a_newcomer_sees_whether_a_picture_shows_anything(tmp_path: Path, monkey
     assert newcomer.shows_something(ROOT / "docs" / "images" / "array-2x6.png")
 
 
+@pytest.mark.parametrize(
+    ("ending", "code"), [("well'; sleep 60", 7), ("with a fault'; sleep 60", 1), ("', says a page", 1), ("'; exit 3", 3)]
+)
+def test_a_newcomer_ends_what_serves_by_ctrl_c(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, ending: str, code: int
+) -> None:
+    monkeypatch.syspath_prepend(str(ROOT / "docs"))
+    newcomer = importlib.import_module("newcomer")
+    monkeypatch.delitem(sys.modules, "newcomer")
+    before = time.monotonic()
+    trap = f"trap 'exit {7 if code == 7 else 0}' INT; echo '{newcomer.VISITED}"
+    assert newcomer.in_terminal(f"{trap}{ending}", tmp_path, dict(os.environ)) == code
+    assert time.monotonic() - before < 30
+
+
 @pytest.mark.slow
+@pytest.mark.parametrize("page", ["first-minutes", "studio"])
 @pytest.mark.skipif(sys.prefix == sys.base_prefix, reason="a newcomer works in a virtual environment")
-def test_a_newcomer_gets_through_the_first_minutes() -> None:
-    """The commands of the page as printed, in a clone of what is committed, and the picture that they draw."""
-    words = [sys.executable, str(ROOT / "docs" / "newcomer.py"), "--venv", sys.prefix, "first-minutes"]
+def test_a_newcomer_gets_through_the_first_minutes(page: str) -> None:
+    """The commands of a page as printed, in a clone of what is committed, and the picture or the page that they show."""
+    if page == "studio" and not (shutil.which("chromium") or shutil.which("chromium-browser")):
+        pytest.skip("there is no chromium; Debian: apt install chromium")
+    words = [sys.executable, str(ROOT / "docs" / "newcomer.py"), "--venv", sys.prefix, page]
     # What the commands print is UTF-8, whatever the locale is.
     done = subprocess.run(words, capture_output=True, encoding="utf-8", timeout=600, check=False)
     assert done.returncode == 0, done.stderr[-2000:]
-    assert done.stdout.rstrip().endswith("first-minutes: done")
+    assert done.stdout.rstrip().endswith(f"{page}: done")
 
 
 def test_pages_are_put_right_for_readers_of_screens_once(site) -> None:
