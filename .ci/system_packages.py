@@ -25,7 +25,7 @@ ROOT = Path(__file__).parents[1]
 LIBRARIES = runpy.run_path(str(ROOT / "geometry" / "ground" / "system_libraries.py"))["LIBRARIES"]
 #: Command that some tests run: Debian packages.
 TEST_TOOLS = {
-    "chromium": ("chromium",),
+    "chromium": ("chromium", "libatomic1"),  # the library is of the Node in Playwright
     "arm-none-eabi-gcc": ("gcc-arm-none-eabi", "libnewlib-arm-none-eabi"),
     "qemu-system-arm": ("qemu-system-arm",),
     "octave-cli": ("octave", "octave-netcdf"),

@@ -99,7 +99,7 @@ def in_terminal(script: str, clone: Path, environment: dict[str, str]) -> int:
             chunk = os.read(terminal, 4096)
         except OSError:  # Linux says so when nobody holds the other end any more
             break
-        sys.stdout.write(chunk.decode("utf-8", "replace"))
+        print(chunk.decode("utf-8", "replace"), end="", flush=True)
         printed += chunk.decode("utf-8", "replace")
         if VISITED in printed and not pressed:
             pressed = os.write(terminal, CTRL_C) == 1

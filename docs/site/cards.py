@@ -58,7 +58,7 @@ def data_of(row: dict[str, Any]) -> str:
 def facts(row: dict[str, Any]) -> str:
     """Facts of a card as a list of terms."""
     x, y, z = row["size"]
-    taps = "not computed" if row["taps"] is None else f"{row['taps']:.0f} % of taps, as built"
+    taps = "not computed" if row["taps"] is None else f"{row['taps']:g} % of taps, as built"
     terms = {
         "Points": f"{row['points']} by {row['microphones']} microphones",
         "Size": f"{x:.0f} x {y:.0f} x {z:.0f} mm",
