@@ -263,7 +263,8 @@ def test_a_newcomer_sees_whether_a_picture_shows_anything(tmp_path: Path, monkey
 
 
 @pytest.mark.parametrize(
-    ("ending", "code"), [("well'; sleep 60", 7), ("with a fault'; sleep 60", 1), ("', says a page", 1), ("'; exit 3", 3)]
+    ("ending", "code"),
+    [("well'; sleep 60", 7), ("with a fault'; sleep 60", 1), ("', says a page", 1), ("'; exit 3", 3)],
 )
 def test_a_newcomer_ends_what_serves_by_ctrl_c(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, ending: str, code: int
@@ -281,7 +282,7 @@ def test_a_newcomer_ends_what_serves_by_ctrl_c(
 @pytest.mark.parametrize("page", ["first-minutes", "studio"])
 @pytest.mark.skipif(sys.prefix == sys.base_prefix, reason="a newcomer works in a virtual environment")
 def test_a_newcomer_gets_through_the_first_minutes(page: str) -> None:
-    """The commands of a page as printed, in a clone of what is committed, and the picture or the page that they show."""
+    """The commands of a page as printed, in a clone of what is committed, and the picture or page that they show."""
     if page == "studio" and not (shutil.which("chromium") or shutil.which("chromium-browser")):
         pytest.skip("there is no chromium; Debian: apt install chromium")
     words = [sys.executable, str(ROOT / "docs" / "newcomer.py"), "--venv", sys.prefix, page]
