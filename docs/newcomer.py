@@ -34,9 +34,10 @@ FILE = re.compile(r"`([\w-]+\.toml)`:\n\n```toml\n(.*?)^```", re.MULTILINE | re.
 PICTURE = re.compile(r"(?<![\w./-])[\w./-]+\.(?:png|html)\b")
 #: The exit code 3 of ``check`` is that of a marginal design, and a page goes on with it.
 MARGINAL = 'acoustic-fem() { command acoustic-fem "$@" || { local code=$?; [ $code = 3 ] || return $code; }; }'
-#: Command that serves until Ctrl-C; longest time in s that it may take; what the visitor of its page prints at the end.
-SERVES, LONGEST, VISITED = re.compile(r"^acoustic-fem studio\b", re.MULTILINE), 400.0, "The visit has ended: "
-CTRL_C = b"\x03"
+#: Command that serves until Ctrl-C, and the longest time in s that it may take.
+SERVES, LONGEST, CTRL_C = re.compile(r"^acoustic-fem studio\b", re.MULTILINE), 400.0, b"\x03"
+#: Lines that the visitor of its page prints at the end, and the studio after Ctrl-C.
+VISITED, ENDED = "The visit has ended: ", "The studio has ended"
 #: Field of the page that the visitor changes, to which value.
 FIELD, VALUE = "tube.length", "14"
 #: Of a picture that shows something: the least share of pixels unlike its corner; of a page: bytes of its body.
@@ -87,7 +88,7 @@ def in_shell(script: str, clone: Path, environment: dict[str, str]) -> int:
 def in_terminal(script: str, clone: Path, environment: dict[str, str]) -> int:
     """Run a script that serves a page in a terminal, press Ctrl-C after the visit, and return the exit code.
 
-    The exit code is 1 if the visit failed or did not end in time.
+    The exit code is 1 if the visit failed or did not end in time, or if the studio does not say that it has ended.
     """
     child, terminal = pty.fork()
     if child == 0:
@@ -105,7 +106,7 @@ def in_terminal(script: str, clone: Path, environment: dict[str, str]) -> int:
             pressed = os.write(terminal, CTRL_C) == 1
     os.close(terminal)  # hangs up on what still runs
     code = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
-    return code if f"{VISITED}well" in printed else code or 1
+    return code if f"{VISITED}well" in printed and ENDED in printed else code or 1
 
 
 def visit(address: str) -> bool:

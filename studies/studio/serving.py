@@ -107,12 +107,13 @@ def serve_studio(
                 threading.Thread(target=webbrowser.open, args=(address(),), daemon=True).start()
             server.run(sockets=[listening])
     except KeyboardInterrupt:
-        notify("The studio has ended; pages keep their designs until it is there again.")
+        pass  # some versions of Python and of the server end without it
     finally:
         workplace.close()
         listening.close()
     if ended:
         raise SystemExit(128 + ended[0])
+    notify("The studio has ended; pages keep their designs until it is there again.")
 
 
 def _is_visible(host: str) -> bool:

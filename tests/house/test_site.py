@@ -263,18 +263,23 @@ def test_a_newcomer_sees_whether_a_picture_shows_anything(tmp_path: Path, monkey
 
 
 @pytest.mark.parametrize(
-    ("ending", "code"),
-    [("well'; sleep 60", 7), ("with a fault'; sleep 60", 1), ("', says a page", 1), ("'; exit 3", 3)],
+    ("visit", "farewell", "ending", "code"),
+    [
+        ("well", "The studio has ended", "sleep 60", 0),
+        ("well", "", "sleep 60", 1),
+        ("with a fault", "The studio has ended", "sleep 60", 1),
+        ("well", "The studio has ended", "exit 3", 3),
+    ],
 )
 def test_a_newcomer_ends_what_serves_by_ctrl_c(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, ending: str, code: int
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, visit: str, farewell: str, ending: str, code: int
 ) -> None:
     monkeypatch.syspath_prepend(str(ROOT / "docs"))
     newcomer = importlib.import_module("newcomer")
     monkeypatch.delitem(sys.modules, "newcomer")
     before = time.monotonic()
-    trap = f"trap 'exit {7 if code == 7 else 0}' INT; echo '{newcomer.VISITED}"
-    assert newcomer.in_terminal(f"{trap}{ending}", tmp_path, dict(os.environ)) == code
+    script = f"trap 'printf \"{farewell}\"; exit 0' INT; echo {newcomer.VISITED}{visit}; {ending}"
+    assert newcomer.in_terminal(script, tmp_path, dict(os.environ)) == code
     assert time.monotonic() - before < 30
 
 
