@@ -1,6 +1,7 @@
 from . import (
     air as air,
     assembly as assembly,
+    boards as boards,
     body as body,
     design as design,
     formats as formats,

@@ -1,6 +1,6 @@
 """All parts of an array: which, how many, where; bill and fit.
 
-Stands on: design, ground, layout, molds, plan, schema, solids, stock.
+Stands on: boards, design, ground, layout, molds, plan, schema, solids, stock.
 """
 
 import lazy_loader

@@ -27,6 +27,9 @@ _SAME_DIRECTION, _SAME_AXIS = 0.01, 0.1
 FACET_VOLUME = 1e-3
 #: Kinds of parts that are swept along the course of a tube.
 _OF_TUBES = ("spring", "sheath")
+#: Kinds that lie in the seat of their own housing. What leaves it is the head of the board, which may be ordered as a
+#: flexible one: the kit names the parts that it may touch.
+_IN_SEATS = ("board", "package")
 #: Misfits below this are rounding, mm: directions of ports are rounded to 0.1 degrees.
 _ROUNDING = 0.01
 
@@ -86,6 +89,8 @@ def interferences(model: ArrayModel) -> tuple[Interference, ...]:
     for i, j in _near(model, 0.0):
         first, second = model.placed[i], model.placed[j]
         if first.group == second.group and {first.kind, second.kind} <= set(_OF_TUBES):
+            continue
+        if first.group != second.group and {first.kind, second.kind} & set(_IN_SEATS):
             continue
         if facets is not None and first.group != second.group:
             if frozenset((first.group, second.group)) not in joined:

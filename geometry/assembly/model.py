@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+import geometry
 from geometry.assembly.facets import Facets
 from geometry.assembly.part_list import PartKind, PartSet, PlacedPart, draw_parts
 from geometry.design.array_design import ArrayDesign
@@ -174,13 +175,10 @@ def _packages(design: ArrayDesign, placed: tuple[PlacedPart, ...]) -> tuple[list
     """The bought microphones: on each board, their sound hole over that of the board."""
     import cadquery as cq
 
-    microphone = design.microphone
-    package = cq.Solid.makeBox(
-        microphone.package_length,
-        microphone.package_width,
-        microphone.package_height,
-        cq.Vector(-microphone.package_length / 2, -microphone.package_width / 2, 0),
-    )
+    microphone, plan = design.microphone, geometry.boards.shown_board(design)
+    length, width, height = microphone.package_length, microphone.package_width, microphone.package_height
+    left, front = (-length / 2, -width / 2) if plan is None else plan.package[0]
+    package = cq.Solid.makeBox(length, width, height, cq.Vector(left, front, 0))
     packages = []
     for board in placed:
         if board.kind == "board":

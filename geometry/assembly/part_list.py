@@ -171,7 +171,7 @@ def draw_parts(design: ArrayDesign, layout: ArrayLayout) -> PartSet:
     for name, ports in plan.housings.items():
         parts[name] = geometry.solids.build_housing(microphone, printing, ports)
         parts.parameters[name] = {**about["chamber"], **about["joints"], "ports": _describe(ports)}
-    parts["microphone-board"] = geometry.solids.build_board(microphone)
+    parts["microphone-board"] = geometry.boards.board_solid(design)
     parts.parameters["microphone-board"] = about["board"]
     if printing.carrier != "none":
         carrier = geometry.solids.array_carrier(design, [plan.shells[name].ports for name, _ in plan.point_shells])
@@ -202,7 +202,8 @@ def _add_base(parts: PartSet, design: ArrayDesign, layout: ArrayLayout) -> None:
 
 def _common_parameters(design: ArrayDesign) -> dict[str, dict[str, float | int | str]]:
     """Parameters that parts were drawn from, by what the parts have in common."""
-    microphone, printing = design.microphone, design.printing
+    microphone, printing, board = design.microphone, design.printing, geometry.boards.shown_board(design)
+    length, width = microphone.board_size if board is None else board.size
     return {
         "joints": {"glue_gap": printing.glue_gap, "port_lip": printing.port_lip},
         "mold": {"kind": design.mold.kind, "scale": design.mold.scale, "draft": design.mold.draft},
@@ -214,8 +215,8 @@ def _common_parameters(design: ArrayDesign) -> dict[str, dict[str, float | int |
             "wall_thickness": microphone.wall_thickness,
         },
         "board": {
-            "length": microphone.board_size[0],
-            "width": microphone.board_size[1],
+            "length": round(length, 6),
+            "width": round(width, 6),
             "sound_hole_diameter": microphone.sound_hole_diameter,
             "sound_hole_length": microphone.sound_hole_length,
             "model": microphone.model,

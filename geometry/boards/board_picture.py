@@ -61,6 +61,13 @@ def _shapes(plan: BoardPlan, at: Callable[[Point], Point], scale: float) -> Iter
         f'<rect x="{x0:.1f}" y="{y0:.1f}" width="{x1 - x0:.1f}" height="{y1 - y0:.1f}" fill="none" stroke="#ffffff" '
         'stroke-dasharray="5 4"/>'
     )
+    if plan.pin_mark is not None:
+        x, y = at(plan.pin_mark.centre)
+        yield f'<g class="pin-mark">{_disc((x, y), plan.pin_mark.diameter * scale / 2, "#ffffff")}</g>'
+        yield (
+            f'<text x="{x + 0.3 * scale:.1f}" y="{y + 5:.1f}" font-size="14" fill="#ffffff">'
+            f"pin 1 of {plan.pads[0].part}</text>"
+        )
     for word in plan.words:
         x, y = at(word.centre)
         yield (
@@ -68,6 +75,10 @@ def _shapes(plan: BoardPlan, at: Callable[[Point], Point], scale: float) -> Iter
             f'font-size="{1.05 * word.height * scale:.1f}" fill="#ffffff">{escape(word.text)}</text>'
         )
     x, y = at((0.0, 0.0))
+    yield (
+        f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{plan.chamber / 2 * scale:.1f}" fill="none" stroke="#ffffff" '
+        'stroke-width="1.5" stroke-dasharray="2 4"/>'
+    )
     yield _line([(x - 7, y), (x + 7, y)], "#ffffff", 1.0)
     yield _line([(x, y - 7), (x, y + 7)], "#ffffff", 1.0)
 

@@ -6,6 +6,7 @@ board is seen from the side of the microphone.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Literal
 
@@ -91,6 +92,16 @@ class Bore:
 
 
 @dataclass(frozen=True)
+class PinMark:
+    """Dot printed on the top beside pin 1 of the microphone; the package leaves it in sight."""
+
+    centre: Point
+    """Its middle, mm."""
+    diameter: float
+    """Diameter, mm."""
+
+
+@dataclass(frozen=True)
 class BoardWord:
     """Word printed on the top, upright when the slot of the seat points to the left."""
 
@@ -120,6 +131,8 @@ class BoardPlan:
     """Sound hole."""
     tie_hole: Bore
     """Hole that ties the cable to the head."""
+    chamber: float
+    """Diameter of the chamber below, whose axis is the origin, mm."""
     ring: Ring
     """Ring around the sound hole."""
     pads: tuple[BoardPad, ...]
@@ -130,6 +143,8 @@ class BoardPlan:
     """Vias."""
     words: tuple[BoardWord, ...]
     """Words."""
+    pin_mark: PinMark | None
+    """Mark of pin 1 of the microphone; None where the board has no room beside the package."""
     package: tuple[Point, Point]
     """Two opposite corners of the package of the microphone, mm."""
     head: tuple[Point, Point]
@@ -149,3 +164,8 @@ class BoardPlan:
         """Length and width of the whole board, mm."""
         across, along = ([corner[k] for corner in self.outline] for k in (1, 0))
         return max(along) - min(along), max(across) - min(across)
+
+    @property
+    def in_chamber(self) -> float:
+        """Distance of the edge of the sound hole to the wall of the chamber, mm."""
+        return self.chamber / 2 - math.hypot(*self.sound_hole.centre) - self.sound_hole.diameter / 2

@@ -6,12 +6,13 @@ to a head outside, with the connector and the capacitor. All signals run on the 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NoReturn
 
-from geometry.boards.board_pieces import BoardPad, BoardPlan, BoardWord, Bore, Ring, Track, Via
+from geometry.boards.board_pieces import BoardPad, BoardPlan, BoardWord, Bore, PinMark, Ring, Track, Via
 from geometry.boards.board_rules import BoardRules, closest
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Kind, Refusal
@@ -21,10 +22,17 @@ from geometry.stock import LandPad, LandPattern, StockMicrophone, catalogue, fin
 
 #: Widths of the tracks of signals and of ground, and the distance of two tracks in the neck, mm.
 _TRACK, _GROUND, _LANE = 0.15, 0.4, 0.375
-#: Distance of the edge of the sound hole to the wall of the chamber, and of the package to the edge of the board, mm.
-_IN_CHAMBER, _PACKAGE_EDGE = 0.05, 0.05
+#: Distance of the edge of the sound hole to the wall of the chamber where the board has room for it, so that no glue on
+#: the seat creeps into the hole, and of the package to the edge of the board, mm.
+IN_CHAMBER, _PACKAGE_EDGE = 0.3, 0.05
+#: Largest and smallest diameter of the mark of pin 1, and its distance to the package and to the edge of the board, mm.
+_MARK, _LEAST_MARK, _BESIDE_MARK = 0.3, 0.15, 0.1
 #: Copper and hole of a via, mm.
 _VIA, _VIA_DRILL = 0.6, 0.3
+#: Distance of the middle of a track that leads around a pad to this pad, mm.
+_AROUND = BoardRules().spacing + _TRACK / 2
+#: What the bend of such a track into the neck needs beside the corner there, mm.
+_BEND_ROOM = 0.01
 #: Connector: pitch, copper and hole of a pin, mm. Headers of 1.27 mm fit, and so do single wires.
 _PITCH, _PIN, _PIN_DRILL = 1.27, 1.0, 0.65
 #: Capacitor 0402: distance and sizes of its pads along and across it, mm; IPC-7351, nominal.
@@ -42,8 +50,9 @@ _SMALLER_HOLE = "set microphone.sound_hole_diameter smaller"
 def plan_board(design: ArrayDesign) -> BoardPlan:
     """Plan of the board of the microphones of a design.
 
-    The package lies as near to the middle of the seat as its sound hole, which is beside its middle, can lie within
-    the chamber.
+    The package lies as near to the middle of the seat as its sound hole, which is beside its middle, can lie 0.3 mm
+    within the chamber. If the board has no room for that, the hole lies as far within as there is room, and at least as
+    far as the rules of boards say.
 
     Args:
         design: the array.
@@ -84,6 +93,14 @@ def plan_board(design: ArrayDesign) -> BoardPlan:
                 _SMALLER_HOLE if spacing.rule == "hole" else _LARGER,
             )
     return plan
+
+
+def board_or_reason(design: ArrayDesign) -> tuple[BoardPlan | None, str]:
+    """Board of the microphones of a design, or None and the reason why none is drawn."""
+    try:
+        return plan_board(design), ""
+    except Refusal as refusal:
+        return None, str(refusal)
 
 
 def _refuse_size(microphone: Microphone, problem: str, remedy: str = _LARGER) -> NoReturn:
@@ -131,6 +148,7 @@ class _Planning:
             thickness=self.microphone.sound_hole_length,
             sound_hole=Bore("sound hole", ring.centre, self.microphone.sound_hole_diameter),
             tie_hole=Bore("tie hole", (self._tie_x, 0.0), _TIE),
+            chamber=self.microphone.chamber_diameter,
             ring=ring,
             pads=tuple(self._all_pads(wires)),
             tracks=tuple(self._tracks(wires)),
@@ -139,6 +157,7 @@ class _Planning:
                 BoardWord(net[:_LETTERS], (self._word_x, y), _WORD)
                 for net, y in zip(wires, self._pin_places, strict=True)
             ),
+            pin_mark=self._pin_mark,
             package=((left, bottom), (right, top)),
             head=((self._head_left, -half), (self._head_right, half)),
             pins=self.part.pins,
@@ -159,16 +178,41 @@ class _Planning:
         room = length - self.part.length / 2 - _PACKAGE_EDGE
         if room < 0 or width < self.part.width / 2:
             _refuse_size(microphone, f"is smaller than the package of {self.part.length:g} x {self.part.width:g} mm")
-        reach = microphone.chamber_diameter / 2 - microphone.sound_hole_diameter / 2 - _IN_CHAMBER
-        shift = max(0.0, self.pattern.port - reach)
-        if shift > room or reach < 0:
-            needed = 2 * (shift + self.part.length / 2 + _PACKAGE_EDGE)
+        reach, least = (microphone.chamber_diameter - microphone.sound_hole_diameter) / 2, BoardRules().chamber
+        if reach < least:
+            problem = f"has a sound hole that is too wide for the chamber of {microphone.chamber_diameter:g} mm"
+            _refuse_size(microphone, problem, _SMALLER_HOLE)
+        most = max(0.0, min(room, length - self._left_of_middle))
+        shift = min(max(0.0, self.pattern.port - reach + IN_CHAMBER), most)
+        lacking = self.pattern.port - shift - reach + least
+        if lacking > 1e-9:
             _refuse_size(
                 microphone,
-                f"leaves the sound hole outside the chamber of {microphone.chamber_diameter:g} mm; it must be "
-                f"{needed:.2f} mm long",
+                f"leaves the sound hole outside the chamber of {microphone.chamber_diameter:g} mm, or less than "
+                f"{least:g} mm within it; it must be {2 * (length + lacking):.2f} mm long",
             )
         return -shift
+
+    @cached_property
+    def _left_of_middle(self) -> float:
+        """Length from the edge of the board to the middle of the package that pads and tracks beside them need."""
+        rules = BoardRules()
+        left = max(each.length / 2 - each.x for each in self.pattern.pads)
+        around = any(around for _, around, _ in self._order)
+        return left + rules.edge + (_AROUND + _TRACK / 2 + _BEND_ROOM if around else 0.0)
+
+    @cached_property
+    def _pin_mark(self) -> PinMark | None:
+        """Dot beside pin 1, between the package and the edge of the board."""
+        pin = next((pad for pad in self.pattern.pads if pad.number == "1"), None)
+        if pin is None:
+            return None
+        x, y = self._place(pin)
+        package, edge = self.part.width / 2, self._corners[1]
+        diameter = min(_MARK, edge - package - 2 * _BESIDE_MARK)
+        if diameter < _LEAST_MARK:
+            return None
+        return PinMark((x, math.copysign((package + edge) / 2, y)), diameter)
 
     @cached_property
     def _package(self) -> tuple[Point, Point]:
@@ -195,8 +239,11 @@ class _Planning:
         return self._middle + pad.x, pad.y
 
     @cached_property
-    def _lanes(self) -> tuple[_Lane, ...]:
-        """Ways of all signals to the neck, from +y to -y; ground goes below the board."""
+    def _order(self) -> tuple[tuple[LandPad, bool, int], ...]:
+        """Pads of the signals but ground in the order of their lanes, from +y to -y.
+
+        With each, whether its track leads past another pad, and on which side of the package.
+        """
         sides = {sign: [pad for pad in self.pattern.pads if pad.y * sign > 0] for sign in (1, -1)}
         order: list[tuple[LandPad, bool, int]] = []
         above = sorted(sides[1], key=lambda pad: -pad.x)
@@ -204,11 +251,15 @@ class _Planning:
         order += [(pad, False, 0) for pad in self.pattern.pads if pad.y == 0]
         below = sorted(sides[-1], key=lambda pad: pad.x)
         order += [(pad, pad is not below[0], -1) for pad in below]
-        order = [each for each in order if self._net(each[0].number) != _GND]
-        middle = (len(order) - 1) / 2
+        return tuple(each for each in order if self._net(each[0].number) != _GND)
+
+    @cached_property
+    def _lanes(self) -> tuple[_Lane, ...]:
+        """Ways of all signals to the neck, from +y to -y; ground goes below the board."""
+        middle = (len(self._order) - 1) / 2
         return tuple(
             _Lane(self._net(pad.number), tuple(self._way(pad, around, sign, _LANE * (middle - number))))
-            for number, (pad, around, sign) in enumerate(order)
+            for number, (pad, around, sign) in enumerate(self._order)
         )
 
     def _way(self, pad: LandPad, around: bool, sign: int, lane: float) -> Iterator[Point]:
@@ -217,7 +268,7 @@ class _Planning:
         left = min(self._middle + each.x - each.length / 2 for each in self.pattern.pads)
         if around:
             side = max(abs(each.y) + each.width / 2 for each in self.pattern.pads) + rules.spacing + _TRACK / 2
-            turn = left - rules.spacing - _TRACK / 2 - 0.02
+            turn = left - _AROUND
             yield x, y
             yield x, sign * side
             yield turn, sign * side

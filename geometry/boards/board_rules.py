@@ -28,6 +28,8 @@ class BoardRules:
     """Width of the copper around a plated hole."""
     drill: float = 0.3
     """Diameter of a hole."""
+    chamber: float = 0.1
+    """Distance of the sound hole to the wall of the chamber: as much as the board can move in its seat."""
 
     def __post_init__(self) -> None:
         """Reject a size that is not positive.
@@ -100,6 +102,7 @@ def closest(plan: BoardPlan, rules: BoardRules | None = None) -> tuple[Spacing, 
     drills = [(drill, name) for _, drill, name in plated] + [(bore.diameter, name) for bore, name in bores]
     tracks = [(track.width, f"track {track.net}") for track in plan.tracks]
     found = {"track": tracks, "spacing": apart, "edge": edge, "hole": hole, "annular": annular, "drill": drills}
+    found["chamber"] = [(plan.in_chamber, "sound hole and wall of the chamber")]
     least = {name: min(values) for name, values in found.items()}
     return tuple(Spacing(name, value, getattr(rules, name), where) for name, (value, where) in least.items())
 

@@ -118,6 +118,8 @@ def _words(plan: BoardPlan) -> str:
             for start, end in strokes(letter):
                 ends = ((x0 + number * step + WIDTH * word.height * x, y0 + height * y) for x, y in (start, end))
                 drawn.line(_INK, tuple(ends))
+    if plan.pin_mark is not None:
+        drawn.flash(_disc(plan.pin_mark.diameter), plan.pin_mark.centre)
     return drawn.text
 
 

@@ -7,7 +7,7 @@ import uuid
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
-from geometry.boards.board_pieces import BoardPad, BoardPlan
+from geometry.boards.board_pieces import BoardPad, BoardPlan, PinMark
 from geometry.boards.board_rules import BoardRules
 from geometry.solids.stroke_font import Point
 
@@ -121,7 +121,20 @@ def _microphone(plan: BoardPlan) -> Iterator[str]:
             f"(end {_number(high[0] + more)} {_number(-low[1] + more)}) (stroke (width 0.05) (type default)) "
             f'(fill none) (layer "{layer}") {_stamp(name, *low)})'
         )
+    if plan.pin_mark is not None:
+        shapes += [_dot(plan.pin_mark, centre, layer) for layer in ("F.SilkS", "F.Fab")]
     yield from _footprint("MK1", plan.microphone, centre, "smd", shapes)
+
+
+def _dot(mark: PinMark, centre: Point, layer: str) -> str:
+    """Mark of pin 1 in the coordinates of the footprint."""
+    x, y = mark.centre[0] - centre[0], centre[1] - mark.centre[1]
+    # The line is as wide as the radius it is drawn on, so that the disc is full in programs that fill nothing.
+    return (
+        f"(fp_circle (center {_number(x)} {_number(y)}) (end {_number(x + mark.diameter / 4)} {_number(y)}) "
+        f"(stroke (width {_number(mark.diameter / 2)}) (type solid)) (fill none) "
+        f'(layer "{layer}") {_stamp("pin 1", layer)})'
+    )
 
 
 def _part(plan: BoardPlan, name: str, value: str, kind: str) -> Iterator[str]:

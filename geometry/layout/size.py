@@ -19,9 +19,10 @@ from geometry.schema.ports import foot_directions
 
 
 def array_size(design: DesignLike, layout: ArrayLayout | None = None) -> tuple[float, float, float]:
-    """Extent of an array in space along x, y and z, mm: shells with their feet, membranes, housings, boards and tubes.
+    """Extent of an array in space along x, y and z, mm: shells with their feet, membranes, housings and tubes.
 
-    Tubes that are drawn schematically do not count, for their way is not real; nor do raised digits and carriers.
+    Tubes that are drawn schematically do not count, for their way is not real; nor do raised digits and carriers, nor
+    the heads of boards, which lie outside the housings and may be bent or cut from another board.
 
     Args:
         design: the array.
@@ -35,11 +36,17 @@ def array_size(design: DesignLike, layout: ArrayLayout | None = None) -> tuple[f
 
 def laid_out_size(design: ArrayDesign, layout: ArrayLayout) -> tuple[float, float, float]:
     """Extent of an array whose parts lie as the layout says, see :func:`array_size`."""
+    low, high = array_box(design, layout)
+    x, y, z = (round(float(side), 9) for side in high - low)
+    return x, y, z
+
+
+def array_box(design: ArrayDesign, layout: ArrayLayout) -> tuple[Array, Array]:
+    """Lowest and highest x, y and z of an array whose parts lie as the layout says, each (3,) float64, mm."""
     low, high = np.full(3, np.inf), np.full(3, -np.inf)
     for ends in _ends(design, layout):
         low, high = np.minimum(low, ends.min(axis=0)), np.maximum(high, ends.max(axis=0))
-    x, y, z = (round(float(side), 9) for side in high - low)
-    return x, y, z
+    return low, high
 
 
 def _ends(design: ArrayDesign, layout: ArrayLayout) -> Iterator[Array]:

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from geometry.assembly.model import ArrayModel
-from geometry.boards import closest, write_board
+from geometry.boards import closest, shown_board, write_board
 from geometry.ground.whole_files import made_folder, write_text
 from geometry.stock import Logger
 from studies.kit.jobs import BUILD, BUY
@@ -22,7 +22,15 @@ from studies.kit.logger_levels import (
     expected_levels,
     gentle_touches,
 )
-from studies.kit.microphone_wiring import Wire, Wiring, head_clashes, reference_wire, wires_csv, wiring_of
+from studies.kit.microphone_wiring import (
+    Wire,
+    Wiring,
+    head_clashes,
+    reference_wire,
+    size_with_boards,
+    wires_csv,
+    wiring_of,
+)
 
 #: Folder of the files of the board.
 BOARD_FOLDER = "electronics"
@@ -44,6 +52,8 @@ class Electronics:
     """Largest forces of touches of some lengths that are not clipped at the most suitable logger."""
     clashes: tuple[str, ...]
     """Microphones the head of whose board may touch other parts."""
+    size: tuple[float, float, float] | None
+    """Length, width and height of the array with the heads of its boards, mm; None if the solids do not show them."""
 
     @property
     def logger(self) -> Logger | None:
@@ -58,13 +68,17 @@ class Electronics:
     @property
     def notes(self) -> tuple[str, ...]:
         """Sentences that a maker must know before ordering the board."""
+        notes = self.wiring.notes
+        if self.size is not None:
+            size = " x ".join(f"{side:.1f}" for side in self.size)
+            notes += (f"With the heads of its boards the array is {size} mm large. Other sizes leave the heads out.",)
         if not self.clashes:
-            return self.wiring.notes
+            return notes
         touch = (
             f"The head of the board may touch other parts ({'; '.join(self.clashes)}). Compare it with "
             f"{BUILD}/array.html, and order it as a flexible board if it does."
         )
-        return (*self.wiring.notes, touch)
+        return (*notes, touch)
 
 
 def electronics_of(model: ArrayModel) -> Electronics:
@@ -73,7 +87,9 @@ def electronics_of(model: ArrayModel) -> Electronics:
     logger = levels.loggers[0].logger if levels.loggers else None
     clashes = () if wiring.board is None else head_clashes(model, wiring.board)
     wires = (*wiring.wires(model.design, logger), reference_wire(model.design, logger))
-    return Electronics(wiring, levels, wires, gentle_touches(model.design, levels), clashes)
+    shown = shown_board(model.design)
+    size = None if shown is None else size_with_boards(model, shown)
+    return Electronics(wiring, levels, wires, gentle_touches(model.design, levels), clashes, size)
 
 
 def recorded_options(electronics: Electronics) -> str:

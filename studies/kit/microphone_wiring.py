@@ -12,9 +12,9 @@ import numpy as np
 
 from acoustic_fem.calibration.manifest import REFERENCE
 from geometry.assembly.model import ArrayModel
-from geometry.boards import BoardPlan, plan_board
+from geometry.boards import IN_CHAMBER, BoardPlan, board_or_reason, shown_board
 from geometry.design.array_design import ArrayDesign
-from geometry.ground.refusal import Refusal
+from geometry.layout.size import array_box
 from geometry.stock import SIGNALS, Logger, StockMicrophone, catalogue
 
 #: Frequency below which the capacitor of an input may take 3 dB, Hz: a tenth of the slowest touches.
@@ -119,15 +119,11 @@ def wiring_of(design: ArrayDesign) -> Wiring:
     """Wiring of the microphones of a design."""
     model = design.microphone.model
     part = catalogue().microphone(model)
-    try:
-        board, missing = plan_board(design), ""
-    except Refusal as refusal:
-        board, missing = None, str(refusal)
+    board, missing = board_or_reason(design)
     if not isinstance(part, StockMicrophone):
         return Wiring(model, "", "", (), design.microphone.source, board, missing, ())
     source = part.pins_source or part.source
-    housing = design.microphone.board_size[0] / 2 + design.microphone.board_gap + design.microphone.wall_thickness
-    notes = () if board is None else tuple(_notes(board, housing))
+    notes = () if board is None else tuple(_notes(design, board))
     return Wiring(part.part_number, part.output, part.port, part.pins, source, board, missing, notes)
 
 
@@ -156,6 +152,18 @@ def head_clashes(model: ArrayModel, board: BoardPlan) -> tuple[str, ...]:
         if near:
             found.append(f"{housing.group}: {', '.join(near)}")
     return tuple(found)
+
+
+def size_with_boards(model: ArrayModel, board: BoardPlan) -> tuple[float, float, float]:
+    """Length, width and height of an array with the heads of its boards, mm."""
+    low, high = array_box(model.design, model.layout)
+    corners = np.array([(x, y, z, 1.0) for x, y in board.outline for z in (0.0, board.thickness)])
+    for part in model.placed:
+        if part.kind == "board":
+            places = (corners @ part.matrix.T)[:, :3]
+            low, high = np.minimum(low, places.min(axis=0)), np.maximum(high, places.max(axis=0))
+    length, width, height = (high - low).tolist()
+    return length, width, height
 
 
 def coupling_capacitor(logger: Logger) -> float:
@@ -190,9 +198,9 @@ def _terminal(logger: Logger, which: int, number: int) -> str:
     return logger.terminals[which].format(n=number + logger.first_terminal)
 
 
-def _notes(board: BoardPlan, housing: float) -> Iterator[str]:
-    """Notes on a board; ``housing`` is the distance of the outside of the housing from the axis, mm."""
-    length, width = board.size
+def _notes(design: ArrayDesign, board: BoardPlan) -> Iterator[str]:
+    microphone, (length, width) = design.microphone, board.size
+    housing = microphone.board_size[0] / 2 + microphone.board_gap + microphone.wall_thickness
     yield (
         f"Order it with two layers, {board.thickness:g} mm thick, {length:.1f} x {width:.1f} mm, with gold on the pads "
         "(ENIG). If the maker has no such thickness, order the next one and set microphone.sound_hole_length to it."
@@ -202,17 +210,30 @@ def _notes(board: BoardPlan, housing: float) -> Iterator[str]:
             "The source of its pads or pins is assumed. Compare them with the data sheet of the microphone before you "
             "order, because no other check can find a wrong pin."
         )
-    yield (
-        f"The head of the board ends {-board.head[0][0] - housing:.1f} mm outside the housing. The solids show only "
-        "the part of the board that lies in the seat, so the stated size of the array does not include the head."
-    )
+    yield f"The head of the board ends {-board.head[0][0] - housing:.1f} mm outside the housing."
+    if shown_board(design) is None:
+        yield (
+            "On a body the board cannot lie flat. Order it as a flexible board with a stiffener below the seat, of the "
+            "same thickness together, and bend the neck outwards in the slot. The solids show only the seat."
+        )
     yield (
         "File the two inner corners at the neck square, because a milling cutter leaves them round. The board must lie "
         "flat in its seat."
     )
-    x = board.sound_hole.centre[0]
+    x, inside = board.sound_hole.centre[0], board.in_chamber
     if x > 0.05:
         yield (
             f"The sound hole lies {x:.2f} mm beside the axis of the chamber, away from the slot, because that of "
-            "the package is not in its middle. It is wholly inside the chamber. The solids show it in the middle."
+            f"the package is not in its middle. Its edge stays {inside:.2f} mm from the wall of the chamber, so keep "
+            "glue off the inner edge of the seat. The simulation has the hole in the middle."
         )
+    if inside < IN_CHAMBER - 0.05:
+        longer = microphone.board_size[0] + 2 * (IN_CHAMBER - inside)
+        yield (
+            f"Glue needs {IN_CHAMBER:g} mm there. With microphone.board_length = {longer:.2f} the hole lies far enough "
+            "within."
+        )
+    if board.pin_mark is None:
+        yield "The board has no room for a mark of pin 1. Compare the package with the drawing before you solder it."
+    else:
+        yield "A white dot on the board, beside the package, marks pin 1 of the microphone."

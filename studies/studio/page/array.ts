@@ -132,7 +132,10 @@ export class ArrayPanel {
       material.userData = { colour: material.color.clone(), opacity: material.opacity };
       each.material = material;
     });
-    this.extent.setFromObject(this.model, true);
+    // Sizes leave out the heads of boards; the rest of a board lies in the seat of its housing.
+    this.model.updateMatrixWorld(true);
+    this.extent.makeEmpty();
+    for (const node of this.home.keys()) if (this.parts.get(node.name)!.kind !== "board") this.extent.expandByObject(node, true);
     this.switches(model.parts);
     // The camera stays where the designer put it, unless the array has grown or shrunk.
     const extent = Math.hypot(...model.size);

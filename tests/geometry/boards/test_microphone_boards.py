@@ -9,13 +9,24 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import cadquery as cq
 import numpy as np
 import pytest
 from refusals import refused
 
 import geometry
 from geometry import Kind
-from geometry.boards import BoardPlan, BoardRules, board_drawing, closest, plan_board, write_board
+from geometry.boards import (
+    BoardPlan,
+    BoardRules,
+    board_drawing,
+    board_solid,
+    closest,
+    plan_board,
+    shown_board,
+    solid_of_plan,
+    write_board,
+)
 from geometry.boards.board_pieces import Track
 from geometry.design.array_design import ArrayDesign
 from geometry.stock import StockMicrophone, catalogue
@@ -71,7 +82,11 @@ def test_the_sound_hole_is_that_of_the_design_and_wholly_in_the_chamber(plan: Bo
     microphone = design_with(plan.microphone).microphone
     hole = plan.sound_hole
     assert hole.diameter == microphone.sound_hole_diameter
-    assert math.hypot(*hole.centre) + hole.diameter / 2 < microphone.chamber_diameter / 2
+    inside = microphone.chamber_diameter / 2 - math.hypot(*hole.centre) - hole.diameter / 2
+    assert plan.in_chamber == pytest.approx(inside)
+    assert inside >= BoardRules().chamber  # the board can move as far in its seat
+    if plan.microphone == "SPH1878LR5H-C":
+        assert inside == pytest.approx(0.3)
     assert plan.ring.centre == hole.centre
     (left, low), (right, high) = plan.package
     length, _ = microphone.board_size
@@ -95,6 +110,64 @@ def test_a_track_too_near_breaks_a_rule_and_the_place_is_named(plan: BoardPlan) 
 def test_a_rule_that_is_not_positive_is_refused() -> None:
     with refused(kind=Kind.OUT_OF_RANGE, field="rules.track", value=0.0):
         BoardRules(track=0.0)
+
+
+def test_a_board_with_room_keeps_glue_away_from_the_sound_hole() -> None:
+    for name in ("line-2", "fingertip-4x6", "glove", "large-area-64"):
+        assert plan_board(geometry.prototype(name)).in_chamber >= 0.3 - 1e-9
+    # The tracks of a digital microphone need room beside the package; a longer board has it.
+    short = plan_board(design_with("ICS-43434"))
+    longer = plan_board(design_with("ICS-43434").with_values({"microphone.board_length": 5.0}))
+    assert BoardRules().chamber <= short.in_chamber < 0.3 <= longer.in_chamber + 1e-9
+
+
+def test_pin_1_is_marked_beside_the_package_and_nearest_to_its_pad(plan: BoardPlan) -> None:
+    mark = plan.pin_mark
+    assert mark is not None
+    pads = {pad.number: pad.centre for pad in plan.pads if pad.part == "MK1"}
+    assert min(pads, key=lambda number: math.dist(pads[number], mark.centre)) == "1"
+    (_, low), (_, high) = plan.package
+    _, width = design_with(plan.microphone).microphone.board_size
+    apart = max(low - mark.centre[1], mark.centre[1] - high) - mark.diameter / 2
+    assert apart >= 0.1 - 1e-9  # in sight beside the package, which is soldered on
+    assert width / 2 - abs(mark.centre[1]) - mark.diameter / 2 >= 0.1 - 1e-9
+    assert not any(
+        abs(mark.centre[0] - x) < pad.size[0] / 2 and abs(mark.centre[1] - y) < pad.size[1] / 2 + mark.diameter / 2
+        for pad in plan.pads
+        for x, y in [pad.centre]
+    )
+
+
+def test_a_board_as_narrow_as_its_package_has_no_mark() -> None:
+    narrow = design_with("SPH1878LR5H-C").with_values({"microphone.board_width": 3.1})
+    assert plan_board(narrow).pin_mark is None
+
+
+# -- the solid ----------------------------------------------------------------------------------------
+def test_the_solid_is_the_board_that_is_ordered(plan: BoardPlan) -> None:
+    solid = solid_of_plan(plan).val()
+    box = solid.BoundingBox()
+    assert (box.xlen, box.ylen, box.zlen) == pytest.approx((*plan.size, plan.thickness))
+    x, y = np.array(plan.outline).T
+    area = abs(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1))) / 2
+    bores = [plan.sound_hole.diameter, plan.tie_hole.diameter, *(pad.drill for pad in plan.pads)]
+    assert solid.Volume() == pytest.approx((area - math.pi / 4 * np.sum(np.square(bores))) * plan.thickness)
+    middle = cq.Vector(*plan.sound_hole.centre, plan.thickness / 2)
+    assert not solid.isInside(middle)
+
+
+def test_the_solids_of_an_array_show_the_whole_board_and_a_body_only_its_seat() -> None:
+    design = geometry.prototype("array-2x6")
+    plan = plan_board(design)
+    assert shown_board(design) == plan
+    assert board_solid(design).val().BoundingBox().xlen == pytest.approx(plan.size[0])
+    unknown = design.with_values({"microphone.model": "my own"})
+    assert shown_board(unknown) is None
+    assert board_solid(unknown).val().BoundingBox().xlen == pytest.approx(design.microphone.board_size[0])
+    frozen = geometry.load_design(Path(__file__).parents[3] / "docs" / "examples" / "robot" / "palm.toml")
+    assert frozen.layout.frozen is not None
+    assert shown_board(frozen) is None  # its neck is bent there
+    assert board_solid(frozen).val().BoundingBox().xlen == pytest.approx(frozen.microphone.board_size[0])
 
 
 # -- boards that are not drawn ------------------------------------------------------------------------
@@ -124,6 +197,7 @@ def test_a_microphone_with_its_hole_at_the_top_has_no_board(tmp_path: Path, monk
     [
         ({"microphone.board_length": 3.5, "microphone.package_length": 3.4}, "smaller than the package"),
         ({"microphone.chamber_diameter": 1.2, "microphone.board_length": 3.7}, "outside the chamber"),
+        ({"microphone.chamber_diameter": 1.0, "microphone.sound_hole_diameter": 0.9}, "too wide for the chamber"),
         ({"microphone.sound_hole_diameter": 0.7}, "ring 3 and sound hole"),
     ],
 )
@@ -175,6 +249,14 @@ def test_kicad_reads_back_pads_nets_holes_and_outline(plan: BoardPlan, tmp_path:
     x, y, read = found["MK1", ""]
     assert (x, y, read.drill.diameter) == pytest.approx((*plan.sound_hole.centre, plan.sound_hole.diameter), abs=1e-5)
     assert found["MK1", plan.ring.number][2].net.name == plan.ring.net
+    mark = plan.pin_mark
+    assert mark is not None
+    microphone = next(each for each in board.footprints if "MK1" in each.name)
+    (dot,) = (circle for circle in microphone.circles if circle.layer == "F.SilkS")
+    x, y = microphone.at.x + dot.center.x - 100, 100 - microphone.at.y - dot.center.y
+    assert (x, y) == pytest.approx(mark.centre, abs=1e-5)
+    reach = math.dist((dot.center.x, dot.center.y), (dot.end.x, dot.end.y)) + dot.stroke.width / 2
+    assert 2 * reach == pytest.approx(mark.diameter, abs=1e-5)
     edges = [line for line in board.lines if line.layer == "Edge.Cuts"]
     drawn = {(round(line.start.x - 100, 5), round(100 - line.start.y, 5)) for line in edges}
     assert drawn == {(round(a, 5), round(b, 5)) for a, b in plan.outline}
@@ -264,6 +346,10 @@ def test_holes_mask_and_outline_of_the_gerber_files_are_those_of_the_plan(plan: 
     for pad in plan.pads:
         assert mask.contains(shapely.Point(pad.centre).buffer(min(pad.size) / 2))
     assert not any(mask.intersects(shapely.Point(via.centre)) for via in plan.vias)  # vias are covered, so no air leaks
+    silk = shapely.union_all(list(_pieces(layers.graphic_layers["top", "silk"])))
+    assert plan.pin_mark is not None
+    assert silk.contains(shapely.Point(plan.pin_mark.centre).buffer(0.49 * plan.pin_mark.diameter))
+    assert not silk.intersects(mask)  # ink on a pad keeps solder away
     assert not plan.vias or math.hypot(*plan.vias[0].centre) > 0.95 + 0.3  # and lie outside the chamber
 
 
@@ -276,3 +362,4 @@ def test_two_writings_are_equal_and_the_archive_holds_the_layers(plan: BoardPlan
     svg = board_drawing(plan, "a < b")
     assert svg.count("<text") >= len(plan.pads) + len(plan.words) - 2
     assert 'aria-label="a &lt; b"' in svg
+    assert "pin 1 of MK1" in svg

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import math
+import re
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
@@ -13,7 +14,8 @@ import pytest
 import geometry
 from acoustic_fem.calibration import read_manifest
 from geometry.assembly.bill import bill_of_materials
-from geometry.assembly.model import ArrayModel, array_model
+from geometry.assembly.model import ArrayModel, array_model, assembly_of
+from geometry.layout import array_size
 from geometry.stock import Logger, StockMicrophone, catalogue
 from studies.kit.electronics_files import electronics_of, recorded_options, write_electronics
 from studies.kit.expected_signals import microphone_loss
@@ -206,6 +208,35 @@ def test_an_unknown_microphone_has_a_wiring_sheet_that_says_why_there_is_no_boar
     sheet = " ".join((tmp_path / "5-build" / "wiring.txt").read_text(encoding="utf-8").split())
     assert "No board is drawn: microphone.model = 'my own' is not in the catalogue" in sheet
     assert "OUT" in sheet
+
+
+def test_the_size_with_the_heads_of_the_boards_is_that_of_the_drawn_array(model: ArrayModel) -> None:
+    electronics = electronics_of(model)
+    box = assembly_of(model).toCompound().BoundingBox()
+    assert electronics.size == pytest.approx((box.xlen, box.ylen, box.zlen), abs=4e-3)
+    board = electronics.wiring.board
+    assert board is not None
+    assert box.xlen - array_size(model.design)[0] == pytest.approx(7.07, abs=0.01)  # both heads lie on one side
+    assert any(f"{box.xlen:.1f} x {box.ylen:.1f}" in note for note in electronics.notes)
+    assert f"stays {board.in_chamber:.2f} mm from the wall" in " ".join(electronics.notes)
+
+
+def test_a_board_whose_sound_hole_is_near_the_wall_names_the_length_it_needs() -> None:
+    digital = catalogue().microphone("ICS-43434")
+    assert isinstance(digital, StockMicrophone)
+    design = geometry.prototype("array-2x6").with_values(dict(digital.values))
+    (note,) = [note for note in wiring_of(design).notes if "microphone.board_length =" in note]
+    length = re.search(r"board_length = ([\d.]+)", note)
+    assert length is not None
+    longer = wiring_of(design.with_values({"microphone.board_length": float(length[1])}))
+    assert longer.board is not None
+    assert longer.board.in_chamber == pytest.approx(0.3, abs=0.01)
+
+
+def test_a_board_on_a_body_is_ordered_flexible() -> None:
+    palm = geometry.load_design(Path(__file__).parents[3] / "docs" / "examples" / "robot" / "palm.toml")
+    assert any("flexible board" in note for note in wiring_of(palm).notes)
+    assert not any("flexible board" in note for note in wiring_of(geometry.prototype("array-2x6")).notes)
 
 
 def test_the_head_of_a_board_that_meets_a_neighbour_is_told(model: ArrayModel) -> None:
