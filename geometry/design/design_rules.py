@@ -20,6 +20,8 @@ from geometry.schema.materials import MATERIALS
 from geometry.schema.part_fields import SOCKET_COVER
 from geometry.schema.print_processes import process_of
 
+#: Most that the depth of a cavity is corrected by, as a part of the thickness: more is no print error.
+_MOST_TRIM = 0.5
 #: Most by which shims raise the lid of a mold, mm: the pins stay in their sockets.
 MOST_SHIMS = 1.0
 
@@ -173,7 +175,7 @@ def _membrane_shape(design: StatedArray) -> Iterator[Refusal]:
 
 
 def _mold(design: StatedArray) -> Iterator[Refusal]:
-    """Sloping walls leave at least half of a rim or boss; shims leave the pins in their sockets."""
+    """Sloping walls leave at least half of a rim or boss; trim and shims are small."""
     membrane, mold = design.membrane, design.mold
     slopes = [("membrane.rim_width", membrane.rim_width, membrane.total_height + (membrane.rim_height or 0.0))]
     if membrane.boss_diameter is not None and membrane.boss_height is not None:
@@ -187,6 +189,12 @@ def _mold(design: StatedArray) -> Iterator[Refusal]:
                 f"at most {steepest:.3g} degrees to leave half of {field} ({width:g} mm)",
                 unit="degrees",
             )
+    if abs(mold.trim) > _MOST_TRIM * membrane.thickness:
+        yield conflict(
+            "mold.trim",
+            mold.trim,
+            f"at most {_MOST_TRIM:g} of membrane.thickness ({membrane.thickness:g} mm), more or less: measure again",
+        )
     raised = mold.shim_count * mold.shim_step
     if mold.kind == "two-part" and raised > MOST_SHIMS + 1e-9:
         yield conflict(

@@ -35,7 +35,10 @@ class Mold:
     """The numbers of the mold."""
 
     def cast(self, membrane: cq.Workplane) -> list[cq.Workplane]:
-        """Copies of the membrane as they fill the cavities: turned over, and larger by the shrinkage."""
+        """Copies of the membrane as they fill the cavities: turned over, and larger by the shrinkage.
+
+        A trim makes the cavities deeper or shallower than these copies.
+        """
         import cadquery as cq
 
         solid = membrane.val()

@@ -40,7 +40,7 @@ class MoldPlan:
     """Section ``mold`` of the design."""
     profile: tuple[Spot, ...]
     """Half section of a cavity, corners (radius, height) in mm with the parting plane at 0: the membrane's, turned over
-    and compensated for shrinkage.
+    compensated for shrinkage, and deeper by the trim.
     """
     centres: tuple[Spot, ...]
     """Axes of the cavities, mm, rows along x."""
@@ -89,6 +89,13 @@ class MoldPlan:
         return tuple((x + dx, y + dy) for x, y in self.centres for dx, dy in spots)
 
     @property
+    def cavity_volume(self) -> float:
+        """Volume of one cavity below the parting plane, mm^3, of its half section turned about its axis."""
+        ends = (*self.profile[1:], self.profile[0])
+        cones = ((a * a + a * b + b * b) * (z - y) for (a, y), (b, z) in zip(self.profile, ends, strict=True))
+        return math.pi / 3 * abs(math.fsum(cones))
+
+    @property
     def slope(self) -> float:
         """Tangent of the draft: how far a wall leans per height."""
         return math.tan(math.radians(self.mold.draft))
@@ -103,7 +110,8 @@ def plan_mold(design: DesignLike, needed: int | None = None) -> MoldPlan:
     """
     design = resolve_design(design)
     mold = design.mold
-    profile = tuple((radius * mold.scale, -height * mold.scale) for radius, height in membrane_profile(design))
+    section = [(radius * mold.scale, -height * mold.scale) for radius, height in membrane_profile(design)]
+    profile = tuple((radius, z - mold.trim if z < 0 else z) for radius, z in section)
     cell = _Cell.of(mold, max(r for r, _ in profile))
     rows, columns = cavity_grid(design, needed or design.point_count, cell.block, cell.forces)
     across, along = (columns - 1) * cell.pitch / 2, (rows - 1) * cell.pitch / 2

@@ -111,6 +111,13 @@ class Molding(Section):
         default=0.05, ge=0.01, le=0.5, description="height by which a shim raises the lid, one set per step; assumed"
     )
     shim_count: Count = Field(default=2, ge=0, le=10, description="sets of shims for thicker membranes; assumed")
+    trim: Number = Field(
+        default=0.0,
+        ge=-1,
+        le=1,
+        description="depth that is added to the cavities: stated minus measured thickness of the last cast",
+        json_schema_extra={"unit": "mm"},
+    )
     silicone_shrinkage: Number = Field(
         default=0.001,
         ge=0,

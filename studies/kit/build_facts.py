@@ -90,6 +90,8 @@ class Cast:
     """Ejector holes of a cavity; None where it is blind."""
     closed: bool
     """True for a mold with a lid."""
+    gap: float
+    """Gap of base and lid beside the lands, mm."""
 
     @property
     def spare(self) -> int:
@@ -120,7 +122,7 @@ def _cast(model: ArrayModel, name: str, alike: ArrayDesign, needed: int, casts: 
     silicone = catalogue().silicone(alike).part
     density = silicone.density if isinstance(silicone, Silicone) else 1070.0
     plan, volume = plan_mold(alike), model.parts[name].val().Volume() / 1000
-    poured = volume * plan.mold.scale**3 * len(plan.centres)
+    poured = plan.cavity_volume * len(plan.centres) / 1000
     over = overflow(plan) / 1000
     mixed = max(poured * bill.waste.silicone_factor, (poured + over) * _CUP)
     grams = mixed * density / 1000
@@ -149,6 +151,7 @@ def _cast(model: ArrayModel, name: str, alike: ArrayDesign, needed: int, casts: 
         opening=plan.forces,
         ejector=plan.ejector,
         closed=plan.mold.kind == "two-part",
+        gap=plan.mold.land_height,
     )
 
 

@@ -88,7 +88,8 @@ def closing_words(cast: Cast) -> str:
         return f"{filled} Draw the scraper along its rails once."
     return (
         f"{filled} Slide the lid slowly down on its pins, so that the air leaves through the vents and the gap, and "
-        f"put a weight of {CLOSING_FORCE / 10:g} kg on it. After {CLOSING_TIME:g} s the film on the lands is about "
+        f"put a weight of {CLOSING_FORCE / 10:g} kg on it. Do not clamp the edges: they are {cast.gap:g} mm apart, so "
+        f"a clamp bends the lid. After {CLOSING_TIME:g} s the film on the lands is about "
         f"{1000 * cast.film:.1f} um thick, by Stefan's equation at an assumed viscosity of 30 Pa s."
     )
 

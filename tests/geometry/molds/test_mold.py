@@ -13,10 +13,10 @@ import geometry
 from geometry import Kind
 from geometry.molds.mold import build_mold, mold_counts
 from geometry.molds.mold_parts import base_block, mark, mark_text
-from geometry.molds.mold_plan import plan_mold
+from geometry.molds.mold_plan import CORNER, plan_mold
 from geometry.solids.measure import hole_diameters
 from geometry.solids.membrane import build_membrane
-from geometry.solids.round_solids import cylinder
+from geometry.solids.round_solids import cylinder, revolved
 
 PHYSICAL = ["array-2x6", "fingertip-3x4", "fingertip-4x6", "glove", "large-area-64"]
 ONE = {"mold.rows": 1, "mold.columns": 1}
@@ -312,6 +312,25 @@ def test_a_long_mark_is_drawn_smaller_then_cut_and_stays_on_the_block(texts, let
         assert min(solid.BoundingBox().ylen for solid in found.Solids()) == pytest.approx(stroke)
 
 
+@pytest.mark.parametrize("changes", [{}, BOSS, RIM])
+def test_the_volume_of_a_cavity_is_that_of_its_solid(changes):
+    plan = plan_mold(geometry.prototype("array-2x6").with_values({**ONE, **changes}))
+    assert plan.cavity_volume == pytest.approx(revolved(plan.profile).Volume(), rel=1e-9)
+
+
+@pytest.mark.parametrize("trim", [0.04, -0.06])
+def test_a_measured_trim_moves_the_floors_of_the_cavities_and_nothing_else(trim):
+    design = geometry.prototype("array-2x6").with_values({**ONE, "mold.ejector": "none"})
+    plain, trimmed = plan_mold(design), plan_mold(design.with_values({"mold.trim": trim}))
+    assert min(z for _, z in trimmed.profile) == pytest.approx(min(z for _, z in plain.profile) - trim)
+    assert (trimmed.land, trimmed.half, trimmed.pins) == (plain.land, plain.half, plain.pins)
+    # By the solids: the base has that much less material, and as much more below as its cavity is deeper.
+    block = 4 * plain.half[0] * plain.half[1] - CORNER**2 / 2
+    deeper = base_block(trimmed).Volume() - base_block(plain).Volume() - block * (plain.bottom - trimmed.bottom)
+    radius = math.sqrt(max(r for r, _ in plain.profile) * min(r for r, z in plain.profile if z < 0 < r))
+    assert -deeper == pytest.approx(math.pi * radius**2 * trim, rel=2e-3)
+
+
 @pytest.mark.parametrize(
     ("changes", "kind", "field"),
     [
@@ -319,6 +338,8 @@ def test_a_long_mark_is_drawn_smaller_then_cut_and_stays_on_the_block(texts, let
         ({"mold.draft": 10.0, "membrane.thickness": 5.0}, Kind.CONFLICT, "mold.draft"),
         ({"mold.shim_count": 10, "mold.shim_step": 0.2}, Kind.CONFLICT, "mold.shim_count"),
         ({"mold.vent_diameter": 1.5}, Kind.CONFLICT, "mold.vent_diameter"),
+        ({"mold.trim": -0.3}, Kind.CONFLICT, "mold.trim"),
+        ({"mold.trim": 1.5}, Kind.OUT_OF_RANGE, "mold.trim"),
         ({"membrane.shape": "boss", "membrane.boss_height": 1.0}, Kind.MISSING, "membrane.boss_diameter"),
         ({"membrane.rim_height": 1.0}, Kind.CONFLICT, "membrane.rim_height"),
         ({**RIM, "membrane.stretch": 1.1}, Kind.CONFLICT, "membrane.stretch"),
