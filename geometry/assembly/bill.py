@@ -23,7 +23,7 @@ from geometry.ground.whole_files import made_folder, write_text
 from geometry.layout.cutting import Cut, cutting_list
 from geometry.layout.placement import ArrayLayout
 from geometry.molds.mold import MoldKind
-from geometry.schema.part_fields import BOARD_SEAL
+from geometry.schema.part_fields import BOARD_SEAL, Tube
 from geometry.stock import Found, StockPart, StockParts, catalogue
 
 if TYPE_CHECKING:
@@ -270,13 +270,18 @@ def _made(
     return BillItem(name, use, count, volume * count * factor, "ml", found.part, not found.exact, material)
 
 
+def spring_title(tube: Tube) -> str:
+    """Name of the item that is the spring of a tube."""
+    return f"spring {tube.spring_outer_diameter:g} mm, wire {tube.wire_diameter:g} mm"
+
+
 def _tubes(cuts: Sequence[Cut], sold: StockParts, waste: Waste) -> Iterator[BillItem]:
     """Springs, then sheaths: pieces of a length, bought by the metre. A smooth bore is a tubing without a spring."""
     lost = waste.cutting_loss
     for cut in cuts:
         found = sold.spring(cut.tube)
         if found is not None:
-            title = f"spring {cut.tube.spring_outer_diameter:g} mm, wire {cut.tube.wire_diameter:g} mm"
+            title = spring_title(cut.tube)
             words = f"cut to {cut.spring_length:g} mm, {cut.turns:.0f} turns, {cut.place}"
             yield _of_length(title, cut.count, cut.spring_length + lost, found, words)
     for cut in cuts:

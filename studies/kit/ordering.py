@@ -339,8 +339,8 @@ def _length(item: BillItem) -> tuple[float, str]:
     if isinstance(part, Sleeve):
         rough = rough_length(1000 * item.quantity / item.count - loss)
         return item.count * (rough + loss) / 1000, f"; sleeves cut {rough:g} mm long before they shrink"
-    if isinstance(part, Spring) and not part.maker:
-        return item.quantity, "; ask makers of springs for a close-wound coil without hooks, by the metre or in rods"
+    if isinstance(part, Spring) and (item.to_order or not part.maker):
+        return item.quantity, "; wound to order: send order-spring.txt, which has the inner diameter and the pitch"
     return item.quantity, ""
 
 

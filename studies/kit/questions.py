@@ -21,6 +21,7 @@ from studies.kit.expected_signals import FREQUENCY, ExpectedSignal
 from studies.kit.jobs import BUILD, BUY, CUT, PRINT
 from studies.kit.leak_testing import WATCHED, LeakTest
 from studies.kit.ordering import OrderList
+from studies.kit.spring_order import spring_orders
 from studies.kit.step_drawings import glued_face_words
 from studies.kit.touch_leak_test import LeakSign
 
@@ -165,7 +166,10 @@ def _casting(facts: Facts) -> Sequence[tuple[str, str, str]]:
     name = "a silicone of the design's hardness" if silicone is None else silicone.name
     each = casts[0]
     strips = "; ".join(f"{s.name}: {s.count} x {s.what} of {s.length:g} mm" for s in facts.strips)
-    springs = dict.fromkeys(f"{s.diameter:g} mm outside" for s in facts.strips if s.what == "spring")
+    springs = [
+        f"{each.size}; {1000 * each.length:.0f} mm in all; {each.source}"
+        for each in spring_orders(design, facts.model.layout, facts.order)
+    ]
     return (
         ("silicone", f"{name}, for {design.membrane.material}.", "step-4"),
         (
@@ -197,13 +201,15 @@ def _casting(facts: Facts) -> Sequence[tuple[str, str, str]]:
         ),
         (
             "too_thin",
-            f"Raise the lid: {'; '.join(each.shims)}." if each.shims else "Fill the mold higher and scrape once.",
+            (f"Raise the lid: {'; '.join(each.shims)}. " if each.shims else "")
+            + "If it is too thick, or if shims do not match, print the base again: write the stated minus the measured "
+            "thickness as [mold] trim into design.toml and run acoustic-fem parts.",
             "step-5",
         ),
         ("lengths", f"{strips}.", "step-6"),
         (
             "spring",
-            f"{', '.join(springs) or 'none, the tubing is smooth'}.",
+            f"{'. '.join(springs) or 'none, the tubing is smooth'}.",
             "step-6",
         ),
         ("template", f"{CUT}/cutting-template-a4.pdf or -letter.pdf, printed at 100 %.", "step-6"),

@@ -40,7 +40,7 @@ INSIDE = {"A4": (210 - 26, 297 - 28), "Letter": (215.9 - 26, 279.4 - 28)}
 PIXELS = 96 / 25.4
 #: Files of every kit.
 FILES = {
-    BUY: ("order-list.csv", "costs.csv", "work-hours.csv", "bill.csv", "bill.json", "bill.txt"),
+    BUY: ("order-list.csv", "order-spring.txt", "costs.csv", "work-hours.csv", "bill.csv", "bill.json", "bill.txt"),
     PRINT: ("plate-1-molds.3mf", "print-report.html", "print-report.json", "parts/mold-base.stl"),
     CAST: ("mold-section.png", "mold-open.png", "casting.txt", "casting.csv", "reference/membrane.stl"),
     CUT: ("cutting-list.csv", "cutting-template.dxf", "cutting-template-a4.pdf", "cutting-template-letter.pdf"),

@@ -32,6 +32,7 @@ from studies.kit.cutting_template import (
     write_cutting,
 )
 from studies.kit.ordering import UNGLUED, OrderList, order_list
+from studies.kit.spring_order import spring_orders, write_spring_order
 from studies.kit.step_tools import HAVE_READY, tools_of
 from studies.kit.work_hours import work_of
 
@@ -131,6 +132,43 @@ def test_the_order_has_the_length_of_all_pieces_and_their_spares(order: OrderLis
     assert sheath.rough * (1 - SLEEVE_SHORTENS) >= sheath.length  # enough is left to trim
     assert all(strip.rough is None for strip in strips if strip.what == "spring")
     assert all(len(strip.boxes) == strip.count + SPARE_PIECES for strip in strips)
+
+
+def test_springs_are_ordered_by_sizes_from_which_a_maker_winds_them(
+    order: OrderList, model: ArrayModel, tmp_path: Path
+) -> None:
+    (spring,) = spring_orders(model.design, model.layout, order)
+    cuts = cutting_list(model.design, model.layout)
+    assert spring.inner == pytest.approx(model.design.tube.inner_diameter)
+    assert (spring.outer, spring.wire) == (0.6, 0.08)
+    pieces = sum(cut.count * cut.spring_length for cut in cuts)
+    assert 1000 * spring.length > 1.1 * pieces
+    assert spring.length == next(line.ordered for line in order.lines if line.item.startswith("spring "))
+    assert spring.rod >= spring.longest + 10
+    write_spring_order((spring,), tmp_path)
+    page = (tmp_path / "order-spring.txt").read_text(encoding="utf-8")
+    for words in (
+        "wire              0.08 mm",
+        "inside diameter   0.44 mm",
+        "pitch             0.08 mm",
+        "125 turns on 10 mm",
+    ):
+        assert words in page
+    assert "No maker was found" in page
+    line = next(line for line in order.lines if line.item.startswith("spring "))
+    assert "order-spring.txt" in line.note
+
+
+def test_an_array_of_smooth_tubes_orders_no_spring(tmp_path: Path) -> None:
+    design = geometry.prototype("line-2").with_values({"lines.0.points": 2, "tube.bore": "smooth"})
+    model = array_model(design.with_values({"microphone_tube.bore": "smooth"}))
+    process = process_of(model.design.printing)
+    bill = bill_of_materials(model.design, model.parts, model.layout)
+    casts = casts_of(model, bill)
+    listed = order_list(model.design, bill, work_of(model, 2, process, 6.0, 5.0), process, casts)
+    assert spring_orders(model.design, model.layout, listed) == ()
+    write_spring_order((), tmp_path)
+    assert not list(tmp_path.iterdir())
 
 
 def test_hours_are_pieces_by_minutes(order: OrderList, model: ArrayModel) -> None:
