@@ -275,6 +275,12 @@ def spring_title(tube: Tube) -> str:
     return f"spring {tube.spring_outer_diameter:g} mm, wire {tube.wire_diameter:g} mm"
 
 
+def sheath_title(tube: Tube) -> str:
+    """Name of the item that is the sheath of a tube, or the tubing that is one of smooth bore."""
+    over = "" if tube.bore == "smooth" else " over the spring"
+    return f"sheath {tube.outer_diameter:g} mm outside{over}"
+
+
 def _tubes(cuts: Sequence[Cut], sold: StockParts, waste: Waste) -> Iterator[BillItem]:
     """Springs, then sheaths: pieces of a length, bought by the metre. A smooth bore is a tubing without a spring."""
     lost = waste.cutting_loss
@@ -285,8 +291,7 @@ def _tubes(cuts: Sequence[Cut], sold: StockParts, waste: Waste) -> Iterator[Bill
             words = f"cut to {cut.spring_length:g} mm, {cut.turns:.0f} turns, {cut.place}"
             yield _of_length(title, cut.count, cut.spring_length + lost, found, words)
     for cut in cuts:
-        over = "" if cut.tube.bore == "smooth" else " over the spring"
-        title = f"sheath {cut.tube.outer_diameter:g} mm outside{over}"
+        title = sheath_title(cut.tube)
         words = f"cut to {cut.cut_length:g} mm, {cut.place}"
         yield _of_length(title, cut.count, cut.cut_length + lost, sold.sheath(cut.tube), words)
 

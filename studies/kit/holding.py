@@ -36,6 +36,8 @@ def holding_words(model: ArrayModel) -> str:
     where = "assembly.csv has the place of each part."
     if apart and max(apart) - min(apart) < _LEVEL:
         where = f"the axes of neighbours on a line are {apart[0]:.4g} mm apart, and {where}"
+    elif apart:
+        where = f"the axes of neighbours on a line are {min(apart):.4g} to {max(apart):.4g} mm apart, and {where}"
     steps.append(f"Tubes that are pushed in up to their lips set the distance: {where}")
     steps.append(
         'The program also draws a base plate with a seat for each part: write [base] kind = "plate" into design.toml '

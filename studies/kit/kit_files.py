@@ -30,7 +30,7 @@ from studies.kit.jobs import BUILD, BUY, CAST, CUT, PRINT
 from studies.kit.manual import write_manual
 from studies.kit.ordering import OrderList, order_list, printed_spares
 from studies.kit.record_sheet import write_record
-from studies.kit.spring_order import spring_orders, write_spring_order
+from studies.kit.tube_order import sheath_orders, spring_orders, write_tube_order
 from studies.kit.work_hours import work_of
 from studies.output.display import Report
 
@@ -101,7 +101,8 @@ def write_kit(
     report("order list", 0.5)
     order = order_of(model, len(plates.plates), process)
     _write_orders(order, folder / BUY)
-    write_spring_order(spring_orders(design, model.layout, order), folder / BUY)
+    placed = (design, model.layout, order)
+    write_tube_order(spring_orders(*placed), sheath_orders(*placed), folder / BUY)
     report("cutting template", 0.52)
     write_cutting(design, model.layout, _made(folder / CUT))
     report("assembly.step", 0.55)

@@ -38,11 +38,13 @@ from studies.kit.holding import holding_words
 from studies.kit.jobs import BUILD, BUY, CAST, CUT, PRINT
 from studies.kit.leak_testing import GAUGE_BORE, WATCHED, leak_tests, needle_words
 from studies.kit.logger_levels import FIRM_TAP
+from studies.kit.lying import lying_words
 from studies.kit.ordering import OrderList
 from studies.kit.questions import Facts, answers_of
 from studies.kit.step_drawings import glued_face_words
 from studies.kit.step_tools import HAVE_READY, tools_of
 from studies.kit.touch_leak_test import READABLE, TOUCHED_HOLE, leak_signs, touch_order
+from studies.kit.tube_order import sheath_orders, spring_orders
 from studies.kit.work_hours import COUNTED
 from studies.output.display import Report
 
@@ -123,6 +125,7 @@ def _content(facts: Facts, shapes: Sequence[SharedShape], report: Report) -> dic
     silicone = catalogue().silicone(design).part
     sleeves = [item.part for item in bill.items if isinstance(item.part, Sleeve)]
     tubes = [tube.tube for tube in model.layout.tubes]
+    placed = (design, model.layout, facts.order)
     return {
         "design": design,
         "facts": facts,
@@ -139,6 +142,7 @@ def _content(facts: Facts, shapes: Sequence[SharedShape], report: Report) -> dic
         "steps": assembly_steps(model),
         "tube_words": _tube_words,
         "scale_bar": SCALE_BAR,
+        "tubes_to_order": any(not each.is_numbered for each in (*spring_orders(*placed), *sheath_orders(*placed))),
         "carved": None if facts.body is None else facts.body.carved,
         "labels": _labels(model),
         "record": _record_rows(model),
@@ -220,7 +224,7 @@ def _part_rows(facts: Facts, shapes: Sequence[SharedShape]) -> list[dict[str, An
     for shape in shapes:
         if parts.origin(shape.names[0]) != "printed":
             continue
-        pose = find_pose(shape.facets, facts.process).words
+        pose = lying_words(parts.kinds[shape.names[0]], find_pose(shape.facets, facts.process))
         about = parts.parameters.get(shape.names[0], {}).get("ports", "")
         count = sum(parts.counts[name] for name in shape.names)
         mark = " ".join(marks[name] for name in shape.names if name in marks)

@@ -340,7 +340,7 @@ def _length(item: BillItem) -> tuple[float, str]:
         rough = rough_length(1000 * item.quantity / item.count - loss)
         return item.count * (rough + loss) / 1000, f"; sleeves cut {rough:g} mm long before they shrink"
     if isinstance(part, Spring) and (item.to_order or not part.maker):
-        return item.quantity, "; wound to order: send order-spring.txt, which has the inner diameter and the pitch"
+        return item.quantity, "; wound to order: send order-tubes.txt, which has the inner diameter and the pitch"
     return item.quantity, ""
 
 

@@ -21,9 +21,9 @@ from studies.kit.expected_signals import FREQUENCY, ExpectedSignal
 from studies.kit.jobs import BUILD, BUY, CUT, PRINT
 from studies.kit.leak_testing import WATCHED, LeakTest
 from studies.kit.ordering import OrderList
-from studies.kit.spring_order import spring_orders
 from studies.kit.step_drawings import glued_face_words
 from studies.kit.touch_leak_test import LeakSign
+from studies.kit.tube_order import sheath_orders, spring_orders
 
 #: Number of the step of the first recording in the manual of an array that lies on no body.
 _RECORDING = 13
@@ -126,7 +126,7 @@ def _printing(facts: Facts) -> Sequence[tuple[str, str, str]]:
         ),
         (
             "printer",
-            f"Any printer of this kind: {facts.process.title}; build volume at least "
+            f"Any printer of this kind: {facts.process.title}. The plates are arranged for a build volume of "
             f"{' x '.join(f'{size:g}' for size in facts.process.build_volume)} mm.",
             "step-1",
         ),
@@ -137,8 +137,8 @@ def _printing(facts: Facts) -> Sequence[tuple[str, str, str]]:
         ),
         (
             "pose",
-            "As the plates hold them. If you print a single part, turn it as print-report.html says, because some are "
-            "printed upside down.",
+            "As the plates hold them. The table of printed parts says which side of each part looks up. A part that you "
+            "print alone lies the same way.",
             "step-2",
         ),
         (
@@ -211,6 +211,11 @@ def _casting(facts: Facts) -> Sequence[tuple[str, str, str]]:
             "spring",
             f"{'. '.join(springs) or 'none, the tubing is smooth'}.",
             "step-6",
+        ),
+        (
+            "sheath",
+            f"{'. '.join(each.words for each in sheath_orders(design, facts.model.layout, facts.order))}.",
+            "step-7",
         ),
         ("template", f"{CUT}/cutting-template-a4.pdf or -letter.pdf, printed at 100 %.", "step-6"),
     )

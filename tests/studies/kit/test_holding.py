@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import math
+from itertools import pairwise
+
 import pytest
 
 import geometry
@@ -25,6 +28,15 @@ def test_the_shim_is_the_height_of_the_housings_above_the_shells(model: ArrayMod
 
 def test_the_distance_of_neighbours_is_that_of_the_layout(model: ArrayModel) -> None:
     assert "18.5 mm apart" in holding_words(model)
+
+
+def test_distances_that_differ_are_told_from_the_shortest_to_the_longest() -> None:
+    design = geometry.prototype("glove")
+    model = array_model(design)
+    places = [point.position for point in model.layout.points]
+    apart = [math.dist(one, other) for one, other in pairwise(places[:6])]
+    assert max(apart) - min(apart) > 0.1
+    assert f"{min(apart):.4g} to {max(apart):.4g} mm apart" in holding_words(model)
 
 
 def test_a_base_plate_holds_the_array_itself(model: ArrayModel) -> None:

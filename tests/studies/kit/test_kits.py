@@ -40,7 +40,7 @@ INSIDE = {"A4": (210 - 26, 297 - 28), "Letter": (215.9 - 26, 279.4 - 28)}
 PIXELS = 96 / 25.4
 #: Files of every kit.
 FILES = {
-    BUY: ("order-list.csv", "order-spring.txt", "costs.csv", "work-hours.csv", "bill.csv", "bill.json", "bill.txt"),
+    BUY: ("order-list.csv", "order-tubes.txt", "costs.csv", "work-hours.csv", "bill.csv", "bill.json", "bill.txt"),
     PRINT: ("plate-1-molds.3mf", "print-report.html", "print-report.json", "parts/mold-base.stl"),
     CAST: ("mold-section.png", "mold-open.png", "casting.txt", "casting.csv", "reference/membrane.stl"),
     CUT: ("cutting-list.csv", "cutting-template.dxf", "cutting-template-a4.pdf", "cutting-template-letter.pdf"),
@@ -142,7 +142,7 @@ def test_the_folder_answers_the_questions_of_a_maker(kit: studies.MadeParts) -> 
     page = kit.manual.read_text(encoding="utf-8")
     rows = re.findall(r'<th scope="row">([^<]+\?)</th><td>(.*?)</td><td class="n"><a href="#([\w-]+)"', page)
     answers = {html.unescape(question): html.unescape(answer) for question, answer, _ in rows}
-    assert len(rows) == len(answers) == 32
+    assert len(rows) == len(answers) == 33
     assert all(len(answer) > 3 for answer in answers.values())
     design = kit.design
     cuts = cutting_list(design)

@@ -32,8 +32,8 @@ from studies.kit.cutting_template import (
     write_cutting,
 )
 from studies.kit.ordering import UNGLUED, OrderList, order_list
-from studies.kit.spring_order import spring_orders, write_spring_order
 from studies.kit.step_tools import HAVE_READY, tools_of
+from studies.kit.tube_order import sheath_orders, spring_orders, write_tube_order
 from studies.kit.work_hours import work_of
 
 
@@ -134,40 +134,44 @@ def test_the_order_has_the_length_of_all_pieces_and_their_spares(order: OrderLis
     assert all(len(strip.boxes) == strip.count + SPARE_PIECES for strip in strips)
 
 
-def test_springs_are_ordered_by_sizes_from_which_a_maker_winds_them(
+def test_springs_and_sheaths_are_ordered_by_sizes_that_their_makers_need(
     order: OrderList, model: ArrayModel, tmp_path: Path
 ) -> None:
-    (spring,) = spring_orders(model.design, model.layout, order)
+    placed = (model.design, model.layout, order)
+    (spring,), (sheath,) = spring_orders(*placed), sheath_orders(*placed)
     cuts = cutting_list(model.design, model.layout)
-    assert spring.inner == pytest.approx(model.design.tube.inner_diameter)
-    assert (spring.outer, spring.wire) == (0.6, 0.08)
-    pieces = sum(cut.count * cut.spring_length for cut in cuts)
-    assert 1000 * spring.length > 1.1 * pieces
-    assert spring.length == next(line.ordered for line in order.lines if line.item.startswith("spring "))
-    assert spring.rod >= spring.longest + 10
-    write_spring_order((spring,), tmp_path)
-    page = (tmp_path / "order-spring.txt").read_text(encoding="utf-8")
-    for words in (
-        "wire              0.08 mm",
-        "inside diameter   0.44 mm",
-        "pitch             0.08 mm",
-        "125 turns on 10 mm",
-    ):
-        assert words in page
-    assert "No maker was found" in page
-    line = next(line for line in order.lines if line.item.startswith("spring "))
-    assert "order-spring.txt" in line.note
+    assert 1000 * spring.length > 1.1 * sum(cut.count * cut.spring_length for cut in cuts)
+    items = {line.item: line for line in order.lines}
+    assert spring.length == items["spring 0.6 mm, wire 0.08 mm"].ordered
+    assert sheath.length == items["sheath 0.9 mm outside over the spring"].ordered
+    assert spring.rod >= max(cut.cut_length for cut in cuts) + 10
+    write_tube_order((spring,), (sheath,), tmp_path)
+    page = (tmp_path / "order-tubes.txt").read_text(encoding="utf-8")
+    rows = dict(re.findall(r"^  (\S.{15}\S?) +(.+)$", page.partition("Sheath 1")[0], re.MULTILINE))
+    rows = {name.strip(): words for name, words in rows.items()}
+    assert rows["wire"].startswith("0.08 mm")
+    assert rows["outside diameter"] == "0.6 mm, plus or minus 0.03 mm"
+    assert rows["inside diameter"] == f"{model.design.tube.inner_diameter:g} mm"
+    assert rows["pitch"].startswith("0.08 mm")
+    assert rows["check on arrival"].startswith("125 turns on 10 mm")
+    assert "bore 0.9 mm" in page.partition("Sheath 1")[2]
+    assert "over a spring of 0.6 mm, 0.9 mm outside" in page
+    assert "order-tubes.txt" in items["spring 0.6 mm, wire 0.08 mm"].note
 
 
-def test_an_array_of_smooth_tubes_orders_no_spring(tmp_path: Path) -> None:
-    design = geometry.prototype("line-2").with_values({"lines.0.points": 2, "tube.bore": "smooth"})
-    model = array_model(design.with_values({"microphone_tube.bore": "smooth"}))
+def test_numbered_parts_of_a_maker_are_on_no_page_to_ask_makers(tmp_path: Path) -> None:
+    values = {"lines.0.points": 2}
+    for tube in ("tube", "microphone_tube"):
+        values |= {f"{tube}.bore": "smooth", f"{tube}.inner_diameter": 0.58, f"{tube}.outer_diameter": 0.965}
+    model = array_model(geometry.prototype("line-2").with_values(values))
     process = process_of(model.design.printing)
     bill = bill_of_materials(model.design, model.parts, model.layout)
     casts = casts_of(model, bill)
     listed = order_list(model.design, bill, work_of(model, 2, process, 6.0, 5.0), process, casts)
     assert spring_orders(model.design, model.layout, listed) == ()
-    write_spring_order((), tmp_path)
+    (sheath,) = sheath_orders(model.design, model.layout, listed)
+    assert sheath.is_numbered
+    write_tube_order((), (sheath,), tmp_path)
     assert not list(tmp_path.iterdir())
 
 
