@@ -137,8 +137,8 @@ def _printing(facts: Facts) -> Sequence[tuple[str, str, str]]:
         ),
         (
             "pose",
-            "As the plates hold them. The table of printed parts says which side of each part looks up. A part that you "
-            "print alone lies the same way.",
+            "As the plates hold them. The table of printed parts says which side of each part looks up. A part that "
+            "you print alone lies the same way.",
             "step-2",
         ),
         (
