@@ -1,6 +1,6 @@
 """PNG views and the offline viewer.
 
-Stands on: assembly, design, ground, layout, molds, plan, solids.
+Stands on: assembly, boards, design, ground, layout, molds, plan, solids.
 """
 
 import lazy_loader

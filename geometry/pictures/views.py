@@ -15,8 +15,10 @@ import numpy as np
 import pyvista as pv
 
 from geometry.assembly.model import LOOKS, ArrayModel, PartKind, array_model
+from geometry.boards import BoardPlan, shown_board
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.typed import Array
+from geometry.layout.placement import MicrophonePlacement
 from geometry.pictures.canvas import (
     aim,
     draw_dimension,
@@ -60,6 +62,8 @@ _MOST_EXPLODED, _EXCERPT = 24, 5
 _NAMES_LEFT, _WORDS_RIGHT = 0.2, 0.12
 #: Room between the array and what stands beside it in the top view, for the names of microphones, pixels.
 _LABEL_ROOM = 90
+#: Distance of a name from the head of a board, mm.
+_BESIDE_HEAD = 0.5
 #: Angles from which the exploded view is seen, degrees.
 _STEEPEST, _FLATTEST = 27, 10
 #: Tubes of a microphone lead away from the viewer where their directions add up to more than this.
@@ -296,6 +300,27 @@ def _add_schematic(plotter: pv.Plotter, model: ArrayModel) -> None:
         plotter.add_mesh(pv.merge(meshes), color=_SCHEMATIC, smooth_shading=True)
 
 
+def _name_at_head(
+    plotter: pv.Plotter, model: ArrayModel, placed: MicrophonePlacement, board: BoardPlan, towards: Array
+) -> None:
+    """Name of a microphone beyond the head of its board, or below a head that lies across the picture.
+
+    ``towards`` is the direction of the viewer in the plane of the array, (2,) float64.
+    """
+    microphone = model.design.microphone
+    along, reach = -unit(placed.turned[1]), -board.head[0][0]
+    down = float(along @ towards)
+    if abs(down) > math.sqrt(0.5):
+        place, vertical = (reach + _BESIDE_HEAD) * along, "top" if down > 0 else "bottom"
+        height = model.design.resonator.port_axis_height + microphone.chamber_height / 2
+    else:
+        seat = microphone.board_size[1] / 2 + microphone.board_gap + microphone.wall_thickness
+        place = reach / 2 * along + (max(seat, board.head[1][1]) + _BESIDE_HEAD) * towards
+        vertical, height = "top", -model.design.resonator.floor_thickness
+    anchor = tuple(model.layout.frame(placed).at(float(place[0]), float(place[1]), height).tolist())
+    draw_labels(plotter, [anchor], [f"microphone {placed.name}"], 20, ("center", vertical))
+
+
 def _add_labels(plotter: pv.Plotter, model: ArrayModel, seen_from: tuple[float, float, float]) -> None:
     design, layout = model.design, model.layout
     alike = [design.of_kind(kind) for kind in design.kinds]
@@ -311,6 +336,11 @@ def _add_labels(plotter: pv.Plotter, model: ArrayModel, seen_from: tuple[float, 
     towards = towards / np.linalg.norm(towards) if towards.any() else np.array([0.0, -1.0])
     housing = design.microphone.chamber_diameter + 2 * design.microphone.wall_thickness
     reach = max(0.8 * housing, design.resonator.outer_diameter / 2)
+    board = shown_board(design)
+    if board is not None:
+        for microphone in layout.microphones:
+            _name_at_head(plotter, model, microphone, board, towards)
+        return
     for microphone in layout.microphones:
         before = sum(float(unit(port.angle) @ towards) for port in microphone.ports) < -_LEADS_AWAY
         x, y = (reach if before else -reach) * towards

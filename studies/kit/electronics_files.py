@@ -71,7 +71,10 @@ class Electronics:
         notes = self.wiring.notes
         if self.size is not None:
             size = " x ".join(f"{side:.1f}" for side in self.size)
-            notes += (f"With the heads of its boards the array is {size} mm large. Other sizes leave the heads out.",)
+            notes += (
+                f"With the heads of its boards, as pictures show it, the array is {size} mm large. "
+                "Other sizes leave these heads out.",
+            )
         if not self.clashes:
             return notes
         touch = (
