@@ -1,4 +1,4 @@
-"""Which side of a printed part looks up on its plate, in words that need no CAD program."""
+"""Words that say how a printed part lies on its plate, for people without a CAD program."""
 
 from __future__ import annotations
 
