@@ -58,7 +58,7 @@ def test_files_are_named_after_parts_and_formats(exported):
 def test_every_stl_is_one_closed_body_of_the_cad_volume(design, exported):
     parts, _, files = exported
     mold = geometry.molds.plan_mold(design)
-    # Ways through: ejector holes of a base, sockets and vents of a lid, a ring, the holes of a board; others: one per port.
+    # Ways through: ejector holes of a base, sockets and vents of a lid, a ring, holes of a board; others: one per port.
     ways = {
         **{"mold-base": len(mold.ejector_spots), "mold-lid": 3 + 2 * mold.rows * mold.columns, "mold-shim": 1},
         **{"membrane": 0, "mold-plugs": 0, "microphone-board": 5},
