@@ -160,7 +160,7 @@ def test_springs_and_sheaths_are_ordered_by_sizes_that_their_makers_need(
 
 
 def test_numbered_parts_of_a_maker_are_on_no_page_to_ask_makers(tmp_path: Path) -> None:
-    values = {"lines.0.points": 2}
+    values: dict[str, Any] = {"lines.0.points": 2}
     for tube in ("tube", "microphone_tube"):
         values |= {f"{tube}.bore": "smooth", f"{tube}.inner_diameter": 0.58, f"{tube}.outer_diameter": 0.965}
     model = array_model(geometry.prototype("line-2").with_values(values))
