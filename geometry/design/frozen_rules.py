@@ -125,6 +125,8 @@ _STATED_BY = {
     "floor_thickness": "resonator.floor_thickness",
     "membrane_height": "resonator.cavity_height",
 }
+#: Fields of ``[surface]`` that the first fitted places did not have.
+_LATER = ("tubes",)
 #: How far membranes may stand above or below a body in whose pockets their shells lie, mm; assumed.
 _FLUSH = 0.1
 
@@ -185,7 +187,9 @@ def check_variable(design: StatedArray, name: str) -> None:
 
 def inputs_of(stated: SurfaceFit) -> str:
     """SHA-256 of what an array is fitted to."""
-    return hashlib.sha256(stated.model_dump_json().encode()).hexdigest()
+    # A field that came later counts if it is stated, so that places stay valid that were fitted before there was one.
+    later = {name for name in _LATER if getattr(stated, name) == SurfaceFit.model_fields[name].default}
+    return hashlib.sha256(stated.model_dump_json(exclude=later).encode()).hexdigest()
 
 
 def _inputs(design: StatedArray, frozen: FrozenPlaces) -> Iterator[Refusal]:

@@ -147,7 +147,9 @@ def equalised(
         np.add.at(move, j, -way)
         move = _BOLD * move / np.maximum(count, 1)[:, None] + _HOME * (1 - round_ / _ROUNDS) * (home - at)
         move -= np.einsum("nc,nc->n", move, normals)[:, None] * normals
-        moved, turned = samples.projected(at + move)
-        inside = (np.asarray(tree.query(moved)[0]) <= samples.edge)[:, None]
-        at, normals = np.where(inside, moved, at), np.where(inside, turned, normals)
+        moved = samples.projected(at + move)[0]
+        # Points slide along the edge of the region.
+        off, nearest = map(np.asarray, tree.query(moved))
+        within = np.minimum(samples.edge / np.maximum(off, 1e-9), 1.0)[:, None]
+        at, normals = samples.projected(allowed[nearest] + within * (moved - allowed[nearest]))
     return at

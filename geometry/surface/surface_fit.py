@@ -118,6 +118,8 @@ def fit_surface(
     notes, laid = best
     if notes:
         remedy = "choose a larger pitch or fewer points, thinner tubes, or other places of the microphones"
+        if stated.tubes == "equal":
+            remedy = f"{remedy}, or let the tubes be as they lie"
         raise DesignError.of_notes(design.name, list(dict.fromkeys(notes)), "cannot be laid on the body", remedy)
     return fit.result(laid, inputs)
 

@@ -16,6 +16,8 @@ LEAST_ANGLE = 45.0
 _FINER = (0.2, 0.1, 0.05, 0.02, 0.01)
 #: By how much more than a tube needs its bends are wide if they can be, so that studies may vary its bore.
 _SLACK = 0.5
+#: Number of equal lengths that are tried of one step.
+_LENGTHS = 7
 #: Slack for which a finer step of the lengths is chosen, and the finest step that is chosen for it, mm.
 _WORTH, _FINE = 0.1, 0.1
 
@@ -113,7 +115,8 @@ def equal_length(
 ) -> tuple[float, Array, float]:
     """One length of all tubes, in steps, and the side to which each of them bulges.
 
-    The step is the coarsest one at which no tube bends further than it may, or the one at which they bend least.
+    Lengths are tried from that of the longest straight tube to that of the tube that lies longest. The step is the
+    coarsest one at which no tube bends further than it may, or the one at which they bend least.
 
     Args:
         ways: both ends of each tube.
@@ -126,19 +129,23 @@ def equal_length(
     Returns:
         Length, mm, sides (n,) and the step, mm.
     """
-    longest, found = float(np.maximum(ways.smooth, least).max()), list[tuple[float, float, Array, float]]()
+    shortest = float(np.maximum(ways.shortest + 1e-6, least).max())
+    longest = max(shortest, float(np.maximum(ways.smooth, least).max()))
+    found = list[tuple[float, float, Array, float]]()
     for step in _steps(stated):
-        length = round(math.ceil(longest / step - 1e-6) * step, 6)
-        own = np.full(len(least), length)
-        (left, slack_left), (right, slack_right) = (
-            _judged(ways, own, side, smallest, obstacles, reach, 2 * reach) for side in (1.0, -1.0)
-        )
-        is_left = left >= right
-        worst = float(np.where(is_left, slack_left, slack_right).min())
-        found.append((worst, length, np.where(is_left, 1.0, -1.0), step))
-        if worst >= 0:
+        low, high = (math.ceil(each / step - 1e-6) for each in (shortest, longest))
+        for count in sorted({round(each) for each in np.linspace(low, high, _LENGTHS)}):
+            length = round(count * step, 6)
+            own = np.full(len(least), length)
+            (left, slack_left), (right, slack_right) = (
+                _judged(ways, own, side, smallest, obstacles, reach, 2 * reach) for side in (1.0, -1.0)
+            )
+            is_left = left >= right
+            worst = float(np.where(is_left, slack_left, slack_right).min())
+            found.append((worst, length, np.where(is_left, 1.0, -1.0), step))
+        if max(worst for worst, *_ in found) >= 0:
             break
-    _, length, sides, step = max(found, key=lambda each: min(each[0], 0.0))
+    _, length, sides, step = max(found, key=lambda each: each[0])
     return length, sides, step
 
 
