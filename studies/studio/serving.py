@@ -107,7 +107,7 @@ def serve_studio(
                 threading.Thread(target=webbrowser.open, args=(address(),), daemon=True).start()
             server.run(sockets=[listening])
     except KeyboardInterrupt:
-        pass  # some versions of Python and of the server end without it
+        pass  # the server also ends without it where Ctrl-C comes in its last steps
     finally:
         workplace.close()
         listening.close()
