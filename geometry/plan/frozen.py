@@ -82,8 +82,8 @@ class Ways:
 
     def chosen(self, mask: NDArray[np.bool_]) -> Ways:
         """Ends of some of the tubes, by a mask (n,)."""
-        ends = [(a[mask], b[mask]) for a, b in (self.axes, self.out, self.inner, self.outer)]
-        return Ways(*ends, self.normals[mask], self.sides[mask])
+        axes, out, inner, outer = ((a[mask], b[mask]) for a, b in (self.axes, self.out, self.inner, self.outer))
+        return Ways(axes, out, inner, outer, self.normals[mask], self.sides[mask])
 
     @property
     def mouths(self) -> tuple[Array, Array]:
