@@ -36,6 +36,8 @@ PICTURE = re.compile(r"(?<![\w./-])[\w./-]+\.(?:png|html)\b")
 MARGINAL = 'acoustic-fem() { command acoustic-fem "$@" || { local code=$?; [ $code = 3 ] || return $code; }; }'
 #: Command that serves until Ctrl-C, and the longest time in s that it may take.
 SERVES, LONGEST, CTRL_C = re.compile(r"^acoustic-fem studio\b", re.MULTILINE), 400.0, b"\x03"
+#: Seconds after which Ctrl-C is pressed again.
+AGAIN = 5.0
 #: Lines that the visitor of its page prints at the end, and the studio after Ctrl-C.
 VISITED, ENDED = "The visit has ended: ", "The studio has ended"
 #: Field of the page that the visitor changes, to which value.
@@ -88,22 +90,27 @@ def in_shell(script: str, clone: Path, environment: dict[str, str]) -> int:
 def in_terminal(script: str, clone: Path, environment: dict[str, str]) -> int:
     """Run a script that serves a page in a terminal, press Ctrl-C after the visit, and return the exit code.
 
+    A shell may lose a Ctrl-C while it starts a command, so it is pressed again if nothing has ended after a while.
+
     The exit code is 1 if the visit failed or did not end in time, or if the studio does not say that it has ended.
     """
     child, terminal = pty.fork()
     if child == 0:
         os.chdir(clone)
         os.execvpe("bash", ["bash", "-x", "-c", script], environment)
-    end, printed, pressed = time.monotonic() + LONGEST, "", False
-    while time.monotonic() < end and select.select([terminal], [], [], end - time.monotonic())[0]:
+    end, printed, pressed = time.monotonic() + LONGEST, "", 0.0
+    while (now := time.monotonic()) < end:
+        if VISITED in printed and now > pressed + AGAIN:
+            os.write(terminal, CTRL_C)
+            pressed = now
+        if not select.select([terminal], [], [], min(AGAIN, end - now))[0]:
+            continue
         try:
             chunk = os.read(terminal, 4096)
         except OSError:  # Linux says so when nobody holds the other end any more
             break
         print(chunk.decode("utf-8", "replace"), end="", flush=True)
         printed += chunk.decode("utf-8", "replace")
-        if VISITED in printed and not pressed:
-            pressed = os.write(terminal, CTRL_C) == 1
     os.close(terminal)  # hangs up on what still runs
     code = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
     return code if f"{VISITED}well" in printed and ENDED in printed else code or 1

@@ -23,7 +23,7 @@ from search_words import WORDS
 #: One page of each kind.
 PAGES = (
     "index", "install", "gallery", "applications/gripper-pad", "applications/first-day", "theory", "tutorial",
-    "notebooks/first_steps", "verification", "design-file",
+    "notebooks/first_steps", "verification", "design-file", "studio",
     "reference/made/verbs", "search",
 )  # fmt: skip
 #: Width of the window, px, and colours.

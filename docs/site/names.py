@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from typing import Any
 
 from docutils import nodes
@@ -24,7 +25,7 @@ class Names(SphinxPostTransform):
     def run(self, **_: Any) -> None:
         """Go through the literals of the page."""
         for literal in list(self.document.findall(nodes.literal)):
-            if isinstance(literal.parent, (nodes.reference, nodes.title)):
+            if any(isinstance(each, (nodes.reference, nodes.title)) for each in _around(literal)):
                 continue
             link = self._link(literal.astext())
             if link is not None:
@@ -46,6 +47,12 @@ class Names(SphinxPostTransform):
     def _to(self, page: str, target: str, anchor: str) -> nodes.reference:
         uri = self.app.builder.get_relative_uri(page, target)
         return nodes.reference("", "", internal=True, refuri=f"{uri}#{anchor}" if anchor else uri)
+
+
+def _around(node: nodes.Node) -> Iterator[nodes.Node]:
+    """Everything that holds a node, the nearest first."""
+    while (node := node.parent) is not None:
+        yield node
 
 
 def setup(app: Sphinx) -> dict[str, bool]:
