@@ -155,6 +155,20 @@ class BoardPlan:
     """Signals of the connector, pin 1 first."""
 
     @property
+    def holes(self) -> tuple[tuple[float, Point], ...]:
+        """Diameter and centre of each hole that is drilled but for vias, mm: sound hole, tie hole, those of pins."""
+        bores = [(bore.diameter, bore.centre) for bore in (self.sound_hole, self.tie_hole)]
+        return (*bores, *((pad.drill, pad.centre) for pad in self.pads if pad.drill))
+
+    @property
+    def volume(self) -> float:
+        """Volume of the laminate, mm^3."""
+        area = sum(
+            x * v - u * y for (x, y), (u, v) in zip(self.outline, self.outline[1:] + self.outline[:1], strict=True)
+        )
+        return self.thickness * (area / 2 - sum(math.pi / 4 * diameter**2 for diameter, _ in self.holes))
+
+    @property
     def nets(self) -> tuple[str, ...]:
         """Signals, each once."""
         return tuple(dict.fromkeys(self.wires))

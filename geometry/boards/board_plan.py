@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import NoReturn
 
 from geometry.boards.board_pieces import BoardPad, BoardPlan, BoardWord, Bore, PinMark, Ring, Track, Via
@@ -83,7 +83,13 @@ def plan_board(design: ArrayDesign) -> BoardPlan:
             remedy="add land_pattern and pins after its data sheet to a file of parts, or choose one of: "
             + ", ".join(each.part_number for each in catalogue().of(StockMicrophone) if each.land_pattern),
         )
-    plan = _Planning(microphone, part, find_land_pattern(part.land_pattern)).plan()
+    return _kept_plan(microphone, part, find_land_pattern(part.land_pattern))
+
+
+@lru_cache(maxsize=256)
+def _kept_plan(microphone: Microphone, part: StockMicrophone, pattern: LandPattern) -> BoardPlan:
+    """Plan that keeps the rules of boards; studies ask for that of one microphone thousands of times."""
+    plan = _Planning(microphone, part, pattern).plan()
     for spacing in closest(plan):
         if not spacing.kept:
             _refuse_size(
@@ -101,6 +107,14 @@ def board_or_reason(design: ArrayDesign) -> tuple[BoardPlan | None, str]:
         return plan_board(design), ""
     except Refusal as refusal:
         return None, str(refusal)
+
+
+def shown_board(design: ArrayDesign) -> BoardPlan | None:
+    """Board that the solids of an array show whole.
+
+    None if none is drawn, and on a body, where the neck is bent outwards: then the solids show what lies in the seat.
+    """
+    return None if design.layout.frozen is not None else board_or_reason(design)[0]
 
 
 def _refuse_size(microphone: Microphone, problem: str, remedy: str = _LARGER) -> NoReturn:

@@ -5,21 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from geometry.boards.board_pieces import BoardPlan
-from geometry.boards.board_plan import board_or_reason
+from geometry.boards.board_plan import shown_board
 from geometry.design.array_design import ArrayDesign
 from geometry.solids.housing import build_board
 from geometry.solids.round_solids import cylinder, one_solid
 
 if TYPE_CHECKING:
     import cadquery as cq
-
-
-def shown_board(design: ArrayDesign) -> BoardPlan | None:
-    """Board that the solids of an array show whole.
-
-    None if none is drawn, and on a body, where the neck is bent outwards: then the solids show what lies in the seat.
-    """
-    return None if design.layout.frozen is not None else board_or_reason(design)[0]
 
 
 def board_solid(design: ArrayDesign) -> cq.Workplane:
@@ -34,7 +26,5 @@ def solid_of_plan(plan: BoardPlan) -> cq.Workplane:
 
     outline = cq.Wire.makePolygon([cq.Vector(x, y, 0) for x, y in plan.outline], close=True)
     block = cq.Solid.extrudeLinear(outline, [], cq.Vector(0, 0, plan.thickness))
-    bores = [(bore.diameter, bore.centre) for bore in (plan.sound_hole, plan.tie_hole)]
-    bores += [(pad.drill, pad.centre) for pad in plan.pads if pad.drill]
-    holes = [cylinder(diameter / 2, 0, plan.thickness, place) for diameter, place in bores]
+    holes = [cylinder(diameter / 2, 0, plan.thickness, place) for diameter, place in plan.holes]
     return one_solid(block.cut(*holes), "microphone board")

@@ -9,8 +9,10 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from itertools import pairwise
+from typing import TYPE_CHECKING
 
-import cadquery as cq
+if TYPE_CHECKING:
+    import cadquery as cq
 
 Point = tuple[float, float]
 
@@ -82,5 +84,7 @@ def _bar(start: Point, end: Point, width: float, depth: float) -> cq.Solid:
     """A bar between two points; upright and level ones are half its width longer at both ends, to make corners."""
     length, angle = math.dist(start, end), math.atan2(end[1] - start[1], end[0] - start[0])
     spare = 0.0 if start[0] != end[0] and start[1] != end[1] else width / 2
+    import cadquery as cq
+
     bar = cq.Solid.makeBox(length + 2 * spare, width, depth, cq.Vector(-spare, -width / 2, 0))
     return bar.rotate(cq.Vector(), cq.Vector(0, 0, 1), math.degrees(angle)).moved(cq.Location(cq.Vector(*start, 0)))

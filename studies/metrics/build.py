@@ -11,6 +11,7 @@ from collections import Counter
 from collections.abc import Iterator
 
 from geometry.assembly.bill import Waste
+from geometry.boards.board_plan import shown_board
 from geometry.design.array_design import ArrayDesign
 from geometry.design.shell_rules import seat_underside
 from geometry.schema.part_fields import BOARD_SEAL, SEAT_SLOT, Microphone, Tube
@@ -118,7 +119,7 @@ def volumes_of(design: ArrayDesign) -> Volumes:
     return {
         "shells": (shells - sockets_of_shells, resin),
         "housings": (len(design.microphones) * _housing(microphone) - sockets_of_housings, resin),
-        "boards": (len(design.microphones) * _board(microphone), DENSITIES["boards"][0]),
+        "boards": (len(design.microphones) * _board(design), DENSITIES["boards"][0]),
         "membranes": (discs, silicone),
         "wire": (wire, DENSITIES["wire"][0]),
         "sheath": (sheath, DENSITIES["sheath"][0]),
@@ -141,7 +142,11 @@ def _housing(microphone: Microphone) -> float:
     return cup + rim
 
 
-def _board(microphone: Microphone) -> float:
+def _board(design: ArrayDesign) -> float:
+    """The whole board, or what lies in the seat where the solids show no more, mm^3."""
+    plan, microphone = shown_board(design), design.microphone
+    if plan is not None:
+        return plan.volume
     length, width = microphone.board_size
     return length * width * microphone.sound_hole_length - _disc(
         microphone.sound_hole_diameter, microphone.sound_hole_length
