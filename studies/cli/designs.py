@@ -63,7 +63,7 @@ def studio(
 
     Example: [bold]acoustic-fem studio array-2x6[/bold]
     """
-    studies.serve_studio(geometry.resolve_design(design), port=port, host=host, browser=browser)
+    studies.serve_studio(design, port=port, host=host, browser=browser)
 
 
 def check(

@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
+from functools import lru_cache
+from pathlib import Path
 from typing import Any
 
 from geometry.assembly.model import array_model
+from geometry.body.reading import Body, read_body
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import read_design
+from geometry.ground.refusal import Refusal
 from geometry.ground.whole_files import temporary_folder
 from geometry.layout.overlaps import schematic_notes
 from geometry.layout.size import array_size
 from geometry.pictures.viewer import write_gltf
+from geometry.solids.measure import Tessellation
 from studies.output.display import Display
 from studies.panels.form import stated_values
 from studies.run.check import check_design
@@ -33,8 +39,12 @@ def read_upload(text: str, name: str) -> dict[str, Any]:
     return stated_values(read_design(text, name))
 
 
-def model_of_array(design: ArrayDesign) -> dict[str, Any]:
-    """The array in three dimensions.
+def model_of_array(design: ArrayDesign, folder: Path | None = None) -> dict[str, Any]:
+    """The array in three dimensions, with the body that it was fitted to.
+
+    Args:
+        design: the array.
+        folder: of the design file, where the file of the body is sought; None draws no body.
 
     Returns:
         ``glb``: binary glTF of :func:`geometry.pictures.viewer.write_gltf`, bytes; ``parts``: for each placed part its
@@ -46,17 +56,41 @@ def model_of_array(design: ArrayDesign) -> dict[str, Any]:
         Refusal: a part cannot be built.
     """
     model = array_model(design)
-    with temporary_folder() as folder:
-        content = write_gltf(model, folder / "array.glb").read_bytes()
+    body, notes = _body_of(design, folder)
+    with temporary_folder() as scratch:
+        content = write_gltf(model, scratch / "array.glb", body).read_bytes()
     return {
         "glb": content,
         "parts": [
-            {"label": part.label.replace(" ", "_"), "part": part.part, "kind": part.kind, "group": part.group}
-            for part in model.placed
+            *({"label": name, "part": name, "kind": "body", "group": "body"} for name in body),
+            *(
+                {"label": part.label.replace(" ", "_"), "part": part.part, "kind": part.kind, "group": part.group}
+                for part in model.placed
+            ),
         ],
         "size": list(array_size(design, model.layout)),
-        "notes": list(schematic_notes(design, model.layout)),
+        "notes": [*notes, *schematic_notes(design, model.layout)],
     }
+
+
+def _body_of(design: ArrayDesign, folder: Path | None) -> tuple[dict[str, Tessellation], list[str]]:
+    """The body that an array was fitted to, and sentences on why none is drawn."""
+    stated, frozen = design.surface, design.layout.frozen
+    if folder is None or stated is None or frozen is None:
+        return {}, []
+    try:
+        body = _kept_body(folder / stated.body, stated.unit, stated.skin)
+    except Refusal as error:
+        return {}, [f"The body is not drawn: {error}."]
+    if frozen.body and body.sha256 != frozen.body:
+        return {}, [f"The body is not drawn: {stated.body} has changed since the array was fitted to it."]
+    return {"body": Tessellation(body.vertices, body.triangles, body.faces, math.nan)}, []
+
+
+@lru_cache(maxsize=2)
+def _kept_body(path: Path, unit: str, skin: int | None) -> Body:
+    """A body, kept for the next change of a design that lies on it."""
+    return read_body(path, unit, skin)
 
 
 def check_figures(design: ArrayDesign, notify: Callable[[str], None] = lambda line: None) -> dict[str, Any]:

@@ -10,10 +10,12 @@ import threading
 import webbrowser
 from collections.abc import Callable
 from ipaddress import ip_address
+from pathlib import Path
 
 from threadpoolctl import threadpool_limits
 
 import studies
+from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.argument_checks import check_range
 from geometry.ground.extras import check_extras
@@ -54,6 +56,7 @@ def serve_studio(
     """
     check_extras("the server of the page", "studio")
     is_visible = _is_visible(host)
+    beside = None if isinstance(design, ArrayDesign) or not Path(design).is_file() else Path(design).resolve().parent
     design = resolve_design(design)
     for variable in _THREADS:  # of the processes that follow; this one has its limits below
         os.environ.setdefault(variable, "1")
@@ -72,7 +75,7 @@ def serve_studio(
         return f"http://{name}:{number}/?code={guard.code}"
 
     guard = studies.studio.Guard(host, number, lambda: notify(f"Address for another browser: {address()}"))
-    workplace = studies.studio.Workplace()
+    workplace = studies.studio.Workplace(beside)
     config = uvicorn.Config(
         studio_app(design, guard, workplace),
         http=bounded_protocol(),

@@ -47,9 +47,13 @@ class Workplace:
     """Threads, processes and results of a studio.
 
     Closed with :meth:`close`; what it writes for export goes into a temporary folder that goes with it.
+
+    Args:
+        folder: of the design file, which has the body of an array that was fitted to one; None if there is no file.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, folder: Path | None = None) -> None:
+        self._beside = folder
         # One thread a stage: a slow one delays no other, and none works on two designs at once.
         self._threads = {
             name: ThreadPoolExecutor(1, f"studio-{name}")
@@ -127,7 +131,7 @@ class Workplace:
             "surface": ("points", lambda: membranes(design)),
             "as_built": ("as_built", lambda: self._predictor.run(as_built_figures, (design,), task=job)),
             "verdict": ("as_built", lambda: self._predictor.run(verdict_figures, (design,), task=job)),
-            "model": ("cad", lambda: self.cad.run(model_of_array, (design,), task=job)),
+            "model": ("cad", lambda: self.cad.run(model_of_array, (design, self._beside), task=job)),
             "check": ("cad", lambda: self.cad.run(check_figures, (design,), notify, task=job)),
         }
         thread, compute = works[stage]

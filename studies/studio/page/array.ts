@@ -15,7 +15,7 @@ export interface Part { label: string; part: string; kind: string; group: string
 export interface Model { file: string; parts: Part[]; size: number[]; notes: string[]; }
 const KINDS: Record<string, string> = {
   shell: "shells", membrane: "membranes", sheath: "tube sheaths", spring: "tube springs", housing: "microphone housings",
-  board: "boards", package: "microphones", base: "base plate",
+  board: "boards", package: "microphones", base: "base plate", body: "body",
 };
 /** How far kinds are lifted in an exploded view, per height of the array. */
 const LIFT: Record<string, number> = { membrane: 2.2, shell: 0, sheath: -1.2, spring: 1.1, housing: 0, board: 1.6, package: 3 };
@@ -135,7 +135,7 @@ export class ArrayPanel {
     // Sizes leave out the heads of boards; the rest of a board lies in the seat of its housing.
     this.model.updateMatrixWorld(true);
     this.extent.makeEmpty();
-    for (const node of this.home.keys()) if (this.parts.get(node.name)!.kind !== "board") this.extent.expandByObject(node, true);
+    for (const node of this.home.keys()) if (!["board", "body"].includes(this.parts.get(node.name)!.kind)) this.extent.expandByObject(node, true);
     this.switches(model.parts);
     // The camera stays where the designer put it, unless the array has grown or shrunk.
     const extent = Math.hypot(...model.size);
@@ -404,7 +404,8 @@ export class ArrayPanel {
     for (const hit of ray.intersectObject(this.model, true)) {
       let node: Object3D | null = hit.object;
       while (node && !this.parts.has(node.name)) node = node.parent;
-      if (node?.visible) return { part: this.parts.get(node.name)!, hit };
+      const part = node && this.parts.get(node.name);
+      if (node?.visible && part && part.kind !== "body") return { part, hit }; // one looks through the body
     }
     return null;
   }

@@ -19,6 +19,7 @@ from studies.panels.form import stated_values
 from studies.run.check import check_design
 
 ARRAY = prototype("array-2x6")
+ROBOT = Path(__file__).parents[3] / "docs" / "examples" / "robot"
 SMALL = ARRAY.with_values({"lines": [{"between": ["A", "B"], "points": 2}], "layout.columns": 2})
 
 
@@ -62,3 +63,20 @@ def test_the_model_is_the_projects_own_gltf_and_the_findings_are_those_of_check(
     assert any("Print rules (6 of 6)" in line for line in told)
     assert {finding["part"] for finding in checked["printing"]["findings"]} & {part["part"] for part in found["parts"]}
     assert resolve_design("array-2x6") == ARRAY
+
+
+@pytest.mark.slow
+def test_the_model_of_a_fitted_array_has_the_body_that_lies_beside_the_design(tmp_path: Path) -> None:
+    import trimesh
+
+    design = load_design(ROBOT / "fingertip.toml")
+    found = model_of_array(design, ROBOT)
+    assert [part["label"] for part in found["parts"] if part["kind"] == "body"] == ["body"]
+    scene = trimesh.load(io.BytesIO(found["glb"]), file_type="glb")
+    body = scene.geometry["body"]
+    assert np.ptp(body.vertices, axis=0)[:2] == pytest.approx([18, 18], abs=0.1)  # a capsule
+    (tmp_path / "fingertip.step").write_bytes((ROBOT / "fingertip.step").read_bytes() + b"\n")
+    for folder, words in ((tmp_path, "has changed"), (tmp_path / "empty", "no such file")):
+        found = model_of_array(design, folder)
+        assert words in found["notes"][0]
+        assert not [part for part in found["parts"] if part["kind"] == "body"]
