@@ -329,7 +329,9 @@ class TouchStream:
         """Channels whose noise is missing or far above that of the decoder, (n_microphone,); a fault is reported."""
         expected = self.silence / self.options.silence
         hisses = self._floor.hisses(expected) & (self._floor.rms > self.options.rough_fraction * frame.std(1))
-        dead = self._floor.dead(expected)
+        # A microphone that is only quieter than it should be hears a touch far above its own noise.
+        hears = frame.std(1) > self.options.hears * self._floor.rms
+        dead = self._floor.dead(expected) & ~hears
         for channel in np.flatnonzero(hisses | dead).tolist():
             self._tell("hissing channel" if hisses[channel] else "dead channel", channel, self._number, events)
         return np.asarray(hisses | dead)

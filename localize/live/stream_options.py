@@ -76,6 +76,8 @@ class StreamOptions:
     """Time over which noise must have been measured before a microphone is called hissing or dead, s."""
     missing_noise: float = 0.2
     """Multiple of the expected noise, and of that of the quietest other microphone, below which one is dead."""
+    hears: float = 5.0
+    """Multiple of its own noise from which on a frame shows that a microphone is not dead but too quiet."""
 
     def __post_init__(self) -> None:
         if self.high_pass is not None:

@@ -221,6 +221,16 @@ def test_a_microphone_that_only_toggles_by_a_bit_is_dead(decoder, signals):
     assert {event.state for event in events if isinstance(event, Decision)} == {"unreadable"}
 
 
+def test_a_microphone_that_is_15_db_too_quiet_is_not_dead_while_it_hears_a_touch(decoder, signals):
+    samples = signals[0][:, :6000].copy()
+    samples[1] *= 10 ** (-15 / 20)
+    events = TouchStream(decoder).push(samples)
+    whole = [event for event in TouchStream(decoder).push(signals[0][:, :6000]) if isinstance(event, Decision)]
+    loud = [event.time for event in whole if event.state == "touch" and event.level > 30 * NOISE]
+    unreadable = {event.time for event in events if isinstance(event, Decision) and event.state == "unreadable"}
+    assert len(unreadable & set(loud)) < 0.05 * len(loud)
+
+
 def test_a_microphone_whose_noise_is_missing_is_dead(decoder, signals):
     samples = signals[0][:, :6000].copy()
     bit = 0.1 * NOISE  # of a converter of 16 bits whose full scale is 3000 times the noise
