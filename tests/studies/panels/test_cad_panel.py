@@ -55,6 +55,8 @@ def test_the_model_is_the_projects_own_gltf_and_the_findings_are_those_of_check(
     assert labels <= set(scene.graph.nodes)
     assert {part["group"] for part in found["parts"]} >= {"point 1", "point 2", "microphone A"}
     assert found["size"] == list(array_size(SMALL))
+    # The size leaves out the heads of boards, which may be bent away.
+    scene.delete_geometry([part["part"] for part in found["parts"] if part["kind"] == "board"])
     assert max(found["size"]) == pytest.approx(1000 * max(scene.extents), rel=0.02)
 
     told: list[str] = []
