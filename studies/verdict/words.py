@@ -86,7 +86,11 @@ def figure_rows(verdict: Verdict) -> tuple[tuple[str, str, str], ...]:
     return (
         ("as-built accuracy of taps", taps, f"taps of {verdict.design.target.force:g} N, not calibrated"),
         ("smallest tap", force_in_words(force), f"a tap {limit:g} dB above the noise at two microphones"),
-        ("size", f"{length:.1f} x {width:.1f} x {figures.size[2]:.1f} mm", "with tubes and microphones"),
+        (
+            "size",
+            f"{length:.1f} x {width:.1f} x {figures.size[2]:.1f} mm",
+            "with tubes and microphones; heads of boards stick out",
+        ),
         ("cost", f"{figures.cost:.2f} USD", "materials of one array, assumed prices"),
     )
 
