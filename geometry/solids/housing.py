@@ -35,7 +35,8 @@ def build_housing(microphone: Microphone, printing: Printing, ports: Sequence[Po
     outside = (length + 2 * wall, width + 2 * wall)
     hole = max(port.tube_diameter for port in ports) / 2 + printing.glue_gap
     head = _box(*outside, seat_underside(microphone, hole), top + height)
-    slot = _box(length, SEAT_SLOT * width, top, top + height).moved(cq.Location(cq.Vector(-length / 2, 0, 0)))
+    out = length / 2 + wall
+    slot = _box(out, SEAT_SLOT * width, top, top + height).moved(cq.Location(cq.Vector(-out / 2, 0, 0)))
     solid = cylinder(radius + wall, -wall, top).fuse(head)
     solid = solid.cut(_box(length, width, top, top + height), slot, cylinder(radius, 0, top))
     if microphone.gasket_width is not None:

@@ -100,8 +100,9 @@ def test_the_board_lies_in_its_seat_with_the_package_below_the_rim():
             assert (housing.intersect(aside).Volume() > 1e-4) == held
 
 
-def test_wires_leave_the_seat_through_its_slot():
-    mic = microphone()
+@pytest.mark.parametrize("wall", [0.8, 2.6])
+def test_wires_leave_the_seat_through_its_slot(wall):
+    mic = microphone(wall_thickness=wall)
     housing = build_housing(mic, PRINTING, ports(2)).val()
     wires = cq.Solid.makeBox(10, 1.5, 0.3, cq.Vector(-10, -0.75, mic.chamber_height + 0.4))
     assert housing.intersect(wires).Volume() < 1e-9
