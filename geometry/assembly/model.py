@@ -176,9 +176,9 @@ def _packages(design: ArrayDesign, placed: tuple[PlacedPart, ...]) -> tuple[list
     import cadquery as cq
 
     microphone, plan = design.microphone, geometry.boards.shown_board(design)
-    length, width, height = microphone.package_length, microphone.package_width, microphone.package_height
-    left, front = (-length / 2, -width / 2) if plan is None else plan.package[0]
-    package = cq.Solid.makeBox(length, width, height, cq.Vector(left, front, 0))
+    half, side = microphone.package_length / 2, microphone.package_width / 2
+    (left, front), (right, back) = ((-half, -side), (half, side)) if plan is None else plan.package
+    package = cq.Solid.makeBox(right - left, back - front, microphone.package_height, cq.Vector(left, front, 0))
     packages = []
     for board in placed:
         if board.kind == "board":
