@@ -79,7 +79,9 @@ def _body_of(design: ArrayDesign, folder: Path | None) -> tuple[dict[str, Tessel
     if folder is None or stated is None or frozen is None:
         return {}, []
     try:
-        body = _kept_body(folder / stated.body, stated.unit, stated.skin)
+        path = folder / stated.body
+        written = path.stat().st_mtime_ns if path.is_file() else 0
+        body = _kept_body(path, written, stated.unit, stated.skin)
     except Refusal as error:
         return {}, [f"The body is not drawn: {error}."]
     if frozen.body and body.sha256 != frozen.body:
@@ -88,8 +90,9 @@ def _body_of(design: ArrayDesign, folder: Path | None) -> tuple[dict[str, Tessel
 
 
 @lru_cache(maxsize=2)
-def _kept_body(path: Path, unit: str, skin: int | None) -> Body:
-    """A body, kept for the next change of a design that lies on it."""
+def _kept_body(path: Path, written: int, unit: str, skin: int | None) -> Body:
+    """A body, kept for the next change of a design that lies on it, until its file is written anew."""
+    del written  # only tells one content of the file from the next
     return read_body(path, unit, skin)
 
 
