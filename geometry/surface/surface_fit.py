@@ -32,7 +32,7 @@ from geometry.surface.microphones import Seats, placed_microphone, room_for_micr
 from geometry.surface.order import Order, crossings, steps_of
 from geometry.surface.regions import Mask, region_of
 from geometry.surface.rims import lifted_over, widest_gap
-from geometry.surface.spread import arc_lengths, equalised, nearest_spacing, relaxed, spread
+from geometry.surface.spread import arc_length, arc_lengths, equalised, nearest_spacing, relaxed, spread
 
 #: Facets of the body by the pitch.
 _FACETS = 9
@@ -419,6 +419,12 @@ class _Fit:
             f"gaps of up to {gap:.2g} mm {where} shells and housings, where the body is bent",
             f"the unrolled plan is off by {100 * stretch:.1f} % between neighbours",
         ]
+        steps = steps_of(range(len(laid.points)), laid.counts)
+        if self.stated.tubes == "equal" and steps:
+            first, second = np.array(steps).T
+            arcs = arc_length(laid.points[first], laid.normals[first], laid.points[second], laid.normals[second])
+            unequal = 100 * float(arcs.std() / arcs.mean())
+            findings.append(f"tubes between points of one length, over steps that scatter by {unequal:.1f} %")
         if len(laid.points) != self.points:
             findings.append(f"{self.points} points would have been too close")
         frozen = laid.design.layout.frozen

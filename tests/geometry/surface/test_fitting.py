@@ -71,6 +71,8 @@ def test_equal_tubes_have_one_length_and_equal_steps(case, tmp_path):
             places = [frame.at(0, 0, found.design.resonator.port_axis_height) for frame in frames]
             steps.append(arc_length(places[0], np.array(frames[0].axes[2]), places[1], np.array(frames[1].axes[2])))
     assert np.std(steps) < 0.01 * np.mean(steps)
+    scatter = f"scatter by {100 * np.std(steps) / np.mean(steps):.1f} %"
+    assert any(scatter in finding for finding in found.findings)
 
 
 @pytest.fixture(scope="module")
