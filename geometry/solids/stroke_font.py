@@ -82,9 +82,9 @@ def text_bars(lines: Sequence[str], height: float, width: float, depth: float) -
 
 def _bar(start: Point, end: Point, width: float, depth: float) -> cq.Solid:
     """A bar between two points; upright and level ones are half its width longer at both ends, to make corners."""
-    length, angle = math.dist(start, end), math.atan2(end[1] - start[1], end[0] - start[0])
-    spare = 0.0 if start[0] != end[0] and start[1] != end[1] else width / 2
     import cadquery as cq
 
+    length, angle = math.dist(start, end), math.atan2(end[1] - start[1], end[0] - start[0])
+    spare = 0.0 if start[0] != end[0] and start[1] != end[1] else width / 2
     bar = cq.Solid.makeBox(length + 2 * spare, width, depth, cq.Vector(-spare, -width / 2, 0))
     return bar.rotate(cq.Vector(), cq.Vector(0, 0, 1), math.degrees(angle)).moved(cq.Location(cq.Vector(*start, 0)))
