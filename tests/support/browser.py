@@ -169,12 +169,19 @@ _SEARCH = """(name) => {
 }"""
 
 
-def place_of(page: Any, part: str) -> tuple[float, float]:
-    """Place of the pointer at which the page names a part of the array that can be dragged."""
-    place = page.evaluate(_SEARCH, part)
-    if place is None:
-        pytest.fail(f"{part} is not found")
-    return place[0], place[1]
+def place_of(page: Any, part: str, seconds: float = 30.0) -> tuple[float, float]:
+    """Place of the pointer at which the page names a part of the array that can be dragged.
+
+    Asked until two answers agree: panels that fill move the picture, on a busy host seconds after the model is there.
+    """
+    end, before = time.monotonic() + seconds, None
+    while time.monotonic() < end:
+        place = page.evaluate(_SEARCH, part)
+        if place is not None and place == before:
+            return place[0], place[1]
+        before = place
+        time.sleep(0.2)
+    pytest.fail(f"{part} is not found at one place within {seconds:g} s; the last was {before}")
 
 
 def figure_of(text: str) -> tuple[float, str]:

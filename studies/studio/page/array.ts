@@ -400,6 +400,8 @@ export class ArrayPanel {
     const frame = this.sheet.getBoundingClientRect();
     const at = new Vector2((2 * (event.clientX - frame.left)) / frame.width - 1, 1 - (2 * (event.clientY - frame.top)) / frame.height);
     const ray = new Raycaster();
+    this.camera.updateMatrixWorld(); // drawing brings both up to date, and the pointer may be earlier than the next picture
+    this.model.updateMatrixWorld();
     ray.setFromCamera(at, this.camera);
     for (const hit of ray.intersectObject(this.model, true)) {
       let node: Object3D | null = hit.object;

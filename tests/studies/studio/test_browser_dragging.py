@@ -129,3 +129,14 @@ def test_an_array_on_a_cylinder_is_dragged_and_measured(browser: Any, running: S
     until(page, DRAWN)
     assert page.problems == []
     context.close()
+
+
+def test_a_part_is_named_where_it_is_before_the_array_is_drawn(page: Any) -> None:
+    """A busy browser draws long after the array is turned, and the pointer may be earlier."""
+    found(page, "membrane 6")
+    page.evaluate("window.late = []; window.requestAnimationFrame = (draw) => window.late.push(draw); null")
+    page.locator("#space canvas").focus()
+    page.keyboard.press("ArrowLeft")
+    before = place_of(page, "membrane 6")
+    assert page.evaluate("window.late.splice(0).map((draw) => draw(0)).length") > 0
+    assert place_of(page, "membrane 6") == before
