@@ -1,8 +1,3 @@
-from .features import (
-    BANDWIDTH as BANDWIDTH,
-    CONTINUATION as CONTINUATION,
-    GRID as GRID,
-    TAIL as TAIL,
-    PairFeatures as PairFeatures,
-)
+from .features import PairFeatures as PairFeatures
 from .recorded_frames import RecordedFrames as RecordedFrames
+from .wavelets import BANDWIDTH as BANDWIDTH, CONTINUATION as CONTINUATION, GRID as GRID, TAIL as TAIL

@@ -21,7 +21,8 @@ from torch import Tensor, nn
 from geometry.ground.refusal import Kind, Refusal, counted
 from localize.layers.gradients import Layer, Stages, block, merging, normalisation, patches_of_maps
 from localize.layers.partial_block import PARTIAL, PartialBlock, PatchConvolution
-from localize.learned.features import COLUMNS, FREQUENCIES, FeatureChoice, PairFeatures
+from localize.learned.features import COLUMNS, FeatureChoice, PairFeatures
+from localize.learned.wavelets import FREQUENCIES
 
 
 @dataclass(frozen=True)

@@ -32,15 +32,10 @@ from numpy.typing import NDArray
 from torch import Tensor, nn
 
 from geometry.ground.refusal import Kind, Refusal
+from localize.learned.wavelets import BANDWIDTH, CONTINUATION, FREQUENCIES, GRID, TAIL, wavelet_frequencies
 from localize.signals.frames import FRAME
-from localize.signals.stimulus import BAND, SAMPLE_RATE
+from localize.signals.stimulus import SAMPLE_RATE
 
-CONTINUATION = 250
-"""Number of times that the last sample is repeated behind the frame."""
-FREQUENCIES = 64
-"""Number of frequencies, the rows of a map."""
-TAIL = 47
-"""Number of samples at the end of the frame whose ratios are used."""
 AVERAGE = 16
 """Number of samples over which ratios are averaged."""
 COLUMNS = TAIL - AVERAGE + 1
@@ -51,21 +46,12 @@ twice, of the frame and of what is left of it where sound is taken out."""
 MAPS_PER_PAIR: dict[FeatureChoice, int] = {"phasors": 3, "paper": 2, "rooms": 6}
 OF_POWER: dict[FeatureChoice, int] = {"phasors": 1, "paper": 0, "rooms": 2}
 """Maps of the power of all microphones."""
-GRID = 2048
-"""Length of the circular wavelet grid, samples: on 512 the wavelets below 20 Hz would wrap around onto the frame."""
-BANDWIDTH = 1.0
-"""Standard deviation of the wavelet's Gaussian envelope, in periods of its centre frequency."""
 DECIBEL = 10 / math.log(10)
 """Level of a ratio of powers over its natural logarithm, dB."""
 RANK = 64
 """Rank of the two factors of the linear map."""
 POWER_RANGE = 60.0
 """Range of the power, dB: weaker parts of a frame are drawn as this far below its maximum."""
-
-
-def wavelet_frequencies() -> NDArray[np.float64]:
-    """Centre frequencies of the rows of a map; (64,) float64, Hz."""
-    return np.linspace(*BAND, FREQUENCIES)
 
 
 def map_count(microphones: int, choice: FeatureChoice = "phasors") -> int:

@@ -20,7 +20,8 @@ from localize.contacts import ContactRecorder
 from localize.contacts.contact import surface_of
 from localize.decoders.bayes import BayesDecoder
 from localize.decoders.frame_covariance import INTEGRATION_STEP
-from localize.learned.features import COLUMNS, FREQUENCIES
+from localize.learned.features import COLUMNS
+from localize.learned.wavelets import FREQUENCIES
 from localize.live.front_end import HighPass
 from localize.live.stream_options import HIGH_PASS
 from localize.recognition.letter_classifier import Hand, smooth_bend, written

@@ -15,7 +15,8 @@ import torch
 from numpy.typing import ArrayLike, NDArray
 from torch import Tensor
 
-from localize.learned.features import COLUMNS, wavelet_frequencies
+from localize.learned.features import COLUMNS
+from localize.learned.wavelets import wavelet_frequencies
 from localize.signals.stimulus import SAMPLE_RATE
 from localize.signals.threads import one_thread
 

@@ -14,8 +14,9 @@ from acoustic_fem.sound.sound_file import SCALED
 from geometry.ground.refusal import Kind
 from geometry.ground.typed import Array
 from localize.decoders.reconstruct import Reconstructor
-from localize.learned.features import COLUMNS, FREQUENCIES
+from localize.learned.features import COLUMNS
 from localize.learned.recorded_frames import touched_frames
+from localize.learned.wavelets import FREQUENCIES
 from localize.live.stream_options import StreamOptions
 from localize.recognition.handwriting import LineReader, letter_maps
 from localize.recognition.power_maps import MAPS, WINDOW, maps_of

@@ -3,7 +3,7 @@
 A localizer decides from a frame of 250 samples. Its input from a frame is taken as a set of filters, each giving one
 complex vector x_k with an entry per microphone. Two listeners:
 
-- ``network``: the Morlet wavelets of :mod:`localize.learned.features` at the end of the frame, one standard deviation
+- ``network``: the Morlet wavelets of :mod:`localize.learned.wavelets` at the end of the frame, one standard deviation
   apart in frequency and in time. Above 20 Hz they hear a few periods only, which is where a trained network loses most.
 - ``model``: sine windows over the whole frame (Riedel and Sidorenko, IEEE Trans. Signal Process. 43 (1995) 188) at
   0, 4, ..., 104 Hz, for :class:`localize.BayesDecoder`, of which this is the quick form.

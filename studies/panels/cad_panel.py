@@ -8,6 +8,7 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
+from geometry import pictures, solids
 from geometry.assembly.model import array_model
 from geometry.body.reading import Body, read_body
 from geometry.design.array_design import ArrayDesign
@@ -16,8 +17,6 @@ from geometry.ground.refusal import Refusal
 from geometry.ground.whole_files import temporary_folder
 from geometry.layout.overlaps import schematic_notes
 from geometry.layout.size import array_size
-from geometry.pictures.viewer import write_gltf
-from geometry.solids.measure import Tessellation
 from studies.output.display import Display
 from studies.panels.form import stated_values
 from studies.run.check import check_design
@@ -58,7 +57,7 @@ def model_of_array(design: ArrayDesign, folder: Path | None = None) -> dict[str,
     model = array_model(design)
     body, notes = _body_of(design, folder)
     with temporary_folder() as scratch:
-        content = write_gltf(model, scratch / "array.glb", body).read_bytes()
+        content = pictures.write_gltf(model, scratch / "array.glb", body).read_bytes()
     return {
         "glb": content,
         "parts": [
@@ -73,7 +72,7 @@ def model_of_array(design: ArrayDesign, folder: Path | None = None) -> dict[str,
     }
 
 
-def _body_of(design: ArrayDesign, folder: Path | None) -> tuple[dict[str, Tessellation], list[str]]:
+def _body_of(design: ArrayDesign, folder: Path | None) -> tuple[dict[str, solids.Tessellation], list[str]]:
     """The body that an array was fitted to, and sentences on why none is drawn."""
     stated, frozen = design.surface, design.layout.frozen
     if folder is None or stated is None or frozen is None:
@@ -86,7 +85,7 @@ def _body_of(design: ArrayDesign, folder: Path | None) -> tuple[dict[str, Tessel
         return {}, [f"The body is not drawn: {error}."]
     if frozen.body and body.sha256 != frozen.body:
         return {}, [f"The body is not drawn: {stated.body} has changed since the array was fitted to it."]
-    return {"body": Tessellation(body.vertices, body.triangles, body.faces, math.nan)}, []
+    return {"body": solids.Tessellation(body.vertices, body.triangles, body.faces, math.nan)}, []
 
 
 @lru_cache(maxsize=2)

@@ -11,10 +11,9 @@ from acoustic_fem.quantities.fidelity import FIDELITIES, Fidelity
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import save_design
 from geometry.ground.argument_checks import check_choice
-from studies.kit.making import export_parts
+from studies import kit, run
 from studies.panels.cad_panel import CallbackDisplay
 from studies.run.library_files import convert_library, solve_library
-from studies.run.pipeline import run_design
 
 
 @dataclass(frozen=True)
@@ -49,12 +48,12 @@ def _library(suffix: str) -> Callable[[ArrayDesign, Path, Fidelity, CallbackDisp
 
 
 def _parts(design: ArrayDesign, folder: Path, fidelity: Fidelity, display: CallbackDisplay) -> Path:
-    export_parts(design, folder / "parts", display=display)
+    kit.export_parts(design, folder / "parts", display=display)
     return Path(shutil.make_archive(str(folder / "parts"), "zip", folder / "parts"))
 
 
 def _report(design: ArrayDesign, folder: Path, fidelity: Fidelity, display: CallbackDisplay) -> Path:
-    run_design(design, folder / "run", display=display)
+    run.run_design(design, folder / "run", display=display)
     return folder / "run" / "report.html"
 
 

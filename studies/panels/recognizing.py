@@ -16,8 +16,8 @@ import localize
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.argument_checks import check_choice
 from geometry.ground.refusal import Kind, Refusal
+from localize import recognition
 from localize.model.opening import open_library
-from localize.recognition import LETTERS, Hand, written
 from studies.panels.touching import decode, decoder_of, without_folder
 
 #: Files of a recognizer's folder.
@@ -75,10 +75,10 @@ def write_letter(design: ArrayDesign, letter: str, sample: int) -> dict[str, Any
     Raises:
         Refusal: no such letter, or a design without places, or one that cannot be decoded.
     """
-    check_choice("letter", letter, LETTERS)
+    check_choice("letter", letter, recognition.LETTERS)
     decoder = decoder_of(design)
     response = decoder.recorder.response
-    take = decoder.recorder.take(written(letter, response, Hand(), sample=sample), sample)
+    take = decoder.recorder.take(recognition.written(letter, response, recognition.Hand(), sample=sample), sample)
     line = localize.recognition.LineReader(response, "design").line(take.signals)
     line[:, 0] *= take.signals.shape[1] / 1000
     return {**decode(decoder, take.signals), "line": line.round(4).tolist()}

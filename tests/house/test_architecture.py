@@ -195,6 +195,12 @@ def test_importing_a_package_loads_nothing_heavy(package: str) -> None:
     assert result.stdout.split() == []
 
 
+def test_the_server_of_the_studio_starts_without_what_only_its_processes_need() -> None:
+    code = f"import sys, studies.studio.server; print(*sorted({HEAVY!r} & set(sys.modules)))"
+    result = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True)
+    assert set(result.stdout.split()) <= {"skfem"}  # its curves come from the atlas
+
+
 def test_every_name_of_every_face_exists() -> None:
     for face in sorted(House(ROOT).handed_on):
         module = importlib.import_module(face)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from localize.learned.features import wavelet_frequencies
+from localize.learned.wavelets import wavelet_frequencies
 from localize.recognition.power_maps import MAPS, RANGE, WINDOW, maps_of
 
 TIME = np.arange(WINDOW) / 1000
