@@ -60,6 +60,8 @@ _PLURALS: dict[PartKind, str] = {
 _MOST_EXPLODED, _EXCERPT = 24, 5
 #: Parts of a picture's width that are kept for names at its left and for words at its right.
 _NAMES_LEFT, _WORDS_RIGHT = 0.2, 0.12
+#: Size of the names of layers, pixels, and the width of a letter over it, of the widest names that there are.
+_NAME_SIZE, _LETTER = 20, 0.75
 #: Room between the array and what stands beside it in the top view, for the names of microphones, pixels.
 _LABEL_ROOM = 90
 #: Distance of a name from the head of a board, mm.
@@ -166,23 +168,25 @@ def exploded_view(
     width, depth = sorted((high - low)[:2].tolist(), reverse=True)
     thick = max(float(high[2] - low[2]) for low, high in boxes.values())
     levels = sorted({_LEVELS[kind] for kind in boxes})
-    slope, step = _exploded(width, depth, thick, len(levels), size)
+    names = []
+    for level in levels:
+        kinds = [kind for kind, own in _LEVELS.items() if own == level and counts[kind]]
+        names.append(", ".join(f"{counts[kind]} {_PLURALS[kind]}" for kind in kinds))
+    # A name that begins outside the picture is left out.
+    left = max(_NAMES_LEFT, _LETTER * _NAME_SIZE * (max(map(len, names)) + 1) / size[0])
+    slope, step = _exploded(width, depth, thick, len(levels), size, left)
     plotter = open_plotter(size)
     _add_parts(plotter, model, {kind: step * level for kind, level in _LEVELS.items()})
     aside = 0.03 * width
     if not isinstance(model.layout.surface, Plane):
         aside += step * max(_LEVELS.values())  # its layers spread sideways too
     start = (float(high[0]), float(low[1]) - aside) if tall else (float(low[0]) - aside, float(low[1]))
-    names, anchors = [], []
-    for level in levels:
-        kinds = [kind for kind, own in _LEVELS.items() if own == level and counts[kind]]
-        names.append(", ".join(f"{counts[kind]} {_PLURALS[kind]}" for kind in kinds))
-        anchors.append((*start, step * level))
+    anchors = [(*start, step * level) for level in levels]
     if model.design.point_count > _MOST_EXPLODED:
-        names.append(f"shown: {_EXCERPT} of {model.design.point_count} points")
-        anchors.append((*start, -step))
-    draw_labels(plotter, anchors, names, 20, ("right", "center"))
-    aim(plotter, (1.0, 0.25, slope) if tall else (0.25, -1.0, slope), left=_NAMES_LEFT)
+        shown = f"shown: {_EXCERPT} of {model.design.point_count} points"
+        plotter.add_text(shown, position=(0.02, 0.03), viewport=True, color="black", font_size=10)
+    draw_labels(plotter, anchors, names, _NAME_SIZE, ("right", "center"))
+    aim(plotter, (1.0, 0.25, slope) if tall else (0.25, -1.0, slope), left=left)
     return save_picture(plotter, path)
 
 
@@ -197,7 +201,9 @@ def _bounds(model: ArrayModel, kind: PartKind) -> tuple[Array, Array]:
     return points.min(axis=0), points.max(axis=0)
 
 
-def _exploded(width: float, depth: float, thick: float, layers: int, size: tuple[int, int]) -> tuple[float, float]:
+def _exploded(
+    width: float, depth: float, thick: float, layers: int, size: tuple[int, int], left: float
+) -> tuple[float, float]:
     """Slope at which layers are looked at from above, and what lifts each clear of the one below, mm.
 
     A layer of that depth and thickness takes ``depth sin a + thick cos a`` of the picture's height at an angle ``a``,
@@ -209,8 +215,9 @@ def _exploded(width: float, depth: float, thick: float, layers: int, size: tuple
         thick: of a layer, mm.
         layers: how many lie above each other.
         size: width and height of the picture in pixels.
+        left: part of its width that is kept for names.
     """
-    room = width * size[1] / (size[0] * (1 - _NAMES_LEFT))
+    room = width * size[1] / (size[0] * (1 - left))
     for degrees in range(_STEEPEST, _FLATTEST, -1):
         rise, lean = math.sin(math.radians(degrees)), math.cos(math.radians(degrees))
         if layers * (depth * rise + thick * lean) <= room:
