@@ -53,8 +53,8 @@ PAGE_OF = {**WORKED, "robot-fingertip": "fingertip"}
 THUMBNAIL, DRAWN, COLOURS = (480, 300), (960, 600), 96
 _HEAD = """# Gallery
 
-Pick a design that resembles yours and start from it. This page shows every prototype and some of our own designs, with
-the figures that `acoustic-fem check` predicts. Click a card to see the design and its kit.
+This page shows every prototype and some of our own designs, with the figures that `acoustic-fem check` predicts. Pick a
+design that resembles yours and start from it. Click a card to see the design and its kit.
 
 ```{gallery-cards}
 ```
@@ -63,16 +63,17 @@ the figures that `acoustic-fem check` predicts. Click a card to see the design a
 
 ## Meaning of the figures
 
-The verdict is that of [`check`](verdict.md) without drawn parts. The smallest force is that of a tap that every point
-can locate. The accuracy on the card is the predicted top-1 accuracy of taps of the target's force.
-Accuracies in the tables are predicted top-1 accuracies for the taps and presses of `acoustic-fem run`. They hold for
-the noise of the design's microphone and for the tolerance-aware [decoder](decoder.md). As-built sensors have assumed
-[tolerances](tolerances.md) and are not calibrated. Other pages give different mean accuracies for the same design,
-because they use other touches, more sensors, another fidelity or another decoder. [Calibrate](calibration.md) each
-sensor if the mean of the as-built sensors is low because calibration removes most of the loss. The cost covers the
-materials of one array at assumed prices, as if no spring were bent, so a kit's bill may differ by 0.5 %. Molds are not
-included. In the pictures each point is coloured by its own accuracy, and rings mark the *hardest pair*, the two points
-that are hardest to tell apart. It is given with the level and phase by which the points differ (rms over 1 to 100 Hz).
+The verdict is that of [`check`](verdict.md) without drawn parts. The smallest force is that of the weakest tap that can
+be located at every point. The accuracy on the card is the predicted top-1 accuracy for taps with the force of the
+target. Accuracies in the tables are predicted top-1 accuracies for the taps and presses of `acoustic-fem run`. They
+hold for the noise of the design's microphone and for the tolerance-aware [decoder](decoder.md). As-built sensors have
+assumed [tolerances](tolerances.md) and are not calibrated. Other pages give different mean accuracies for the same
+design, because they use other touches, more sensors, another fidelity or another decoder. If the mean of the as-built
+sensors is low, [calibrate](calibration.md) each sensor, because calibration removes most of the loss. The cost covers
+the materials of one array at assumed prices, but not the molds. It assumes that no spring is bent, so a kit's bill may
+differ by 0.5 %. In the pictures each point is coloured by its own accuracy, and rings mark the *hardest pair*, the two
+points that are hardest to tell apart. The tables state the hardest pair with the differences of its points in level and
+in phase (rms over 1 to 100 Hz).
 """
 
 
