@@ -208,7 +208,7 @@ class Diagnoser:
         return self._found(spectra, KnownTouches(np.array(points, np.int64) - 1))
 
     def _found(self, spectra: TouchSpectra, known: KnownTouches) -> Diagnosis:
-        likelihood = TouchLikelihood(spectra, known.point, self.options.mismatch)
+        likelihood = TouchLikelihood(spectra, known.point, self.options.mismatch, self.options.evidence_temperature)
         return self._decided(FaultSearch(self.libraries, likelihood, self.options).found(), spectra, known)
 
     def _decided(self, found: list[tuple[Tables, Fitted]], spectra: TouchSpectra, known: KnownTouches) -> Diagnosis:

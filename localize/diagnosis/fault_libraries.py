@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem import Library
-from acoustic_fem.batch.network import batch_transfer_function
+from acoustic_fem.batch.distinct_parts import transfer_function_of_distinct_parts
 from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters
 from acoustic_fem.library.transfer_functions import MEASURED
 from acoustic_fem.network.microphone import vent_ratio
@@ -38,11 +38,32 @@ FITTED = (
 """Quantities whose deviations are fitted, if the tolerances have them."""
 AROUND = ("pressure", "temperature", "rubber_slope")
 """Deviations of the air and of the rubber, in the order of their columns."""
+_TOGETHER = 8
+"""Number of hypotheses whose derivatives are computed in one batch."""
+
+
+@dataclass(frozen=True, eq=False)
+class Derivatives:
+    """Derivatives by all deviations but the amount of a fault, of the logarithms of transfer functions over those of
+    the first microphone.
+    """
+
+    values: ComplexArray
+    """(n_deviation - 1, n_point, n_microphone - 1, n_freq) complex128."""
+
+    @cached_property
+    def spread(self) -> ComplexArray:
+        """Covariance of the logarithms, (n_point, n_microphone - 1, n_microphone - 1, n_freq) complex128."""
+        return np.asarray(np.einsum("dpmf,dpnf->pmnf", self.values, self.values.conj()))
 
 
 @dataclass(frozen=True, eq=False)
 class Tables:
-    """Transfer functions of one hypothesis about its deviations."""
+    """Transfer functions of one hypothesis about its deviations.
+
+    A touch may have any spectrum, so a factor that all microphones of a point share does not count. Therefore only
+    what changes over the first microphone is kept.
+    """
 
     fault: SensorFault | None
     """The fault; None for a sound sensor."""
@@ -50,23 +71,43 @@ class Tables:
     """Deviations about which the tables are, (n_deviation,) float64, standard deviations."""
     transfer_function: ComplexArray
     """(n_point, n_microphone, n_freq) complex128, Pa/Pa."""
-    derivatives: ComplexArray
-    """Derivatives of their logarithms, (n_deviation, n_point, n_microphone, n_freq) complex128."""
+    derivatives: Derivatives
+    """Derivatives by all deviations but the last; hypotheses may share them."""
+    by_amount: ComplexArray
+    """Those by the amount of the fault, the last deviation, (n_point, n_microphone - 1, n_freq) complex128."""
 
-    @cached_property
+    @property
     def spread(self) -> ComplexArray:
-        """Covariance of the logarithms by the deviations, (n_point, n_microphone, n_microphone, n_freq) complex128."""
-        return np.asarray(np.einsum("dpmf,dpnf->pmnf", self.derivatives, self.derivatives.conj()))
+        """Covariance of the logarithms over those of the first microphone, by the deviations.
 
-    @cached_property
-    def relative(self) -> ComplexArray:
-        """Derivatives over those of the first microphone, (n_deviation, n_point, n_microphone - 1, n_freq)."""
-        return np.ascontiguousarray(self.derivatives[:, :, 1:] - self.derivatives[:, :, :1])
+        (n_point, n_microphone - 1, n_microphone - 1, n_freq) complex128.
+        """
+        return self.derivatives.spread + self.by_amount[:, :, None] * self.by_amount[:, None].conj()
 
     def at(self, deviations: Array) -> ComplexArray:
-        """Transfer functions with deviations (n_deviation,), to first order in their logarithms."""
-        change = np.tensordot(deviations - self.deviations, self.derivatives, 1)
-        return np.asarray(self.transfer_function * np.exp(change))
+        """Transfer functions with deviations (n_deviation,), to first order in their logarithms.
+
+        The first microphone keeps its own, so all of a point have a factor in common.
+        """
+        step, values = deviations - self.deviations, self.derivatives.values
+        change = (step[:-1] @ values.reshape(len(values), -1).view(np.float64)).view(np.complex128)
+        found = self.transfer_function.copy()
+        found[:, 1:] *= np.exp(change.reshape(self.by_amount.shape) + step[-1] * self.by_amount)
+        return found
+
+    def derivatives_times(self, turned: ComplexArray, out: ComplexArray) -> None:
+        """Put products of all derivatives into ``out``, with rows that are turned, summed over the microphones.
+
+        Args:
+            turned: (n_point, n_row, n_microphone - 1, n_freq) complex128.
+            out: (n_deviation, n_point, n_row, n_freq) complex128.
+        """
+        for k in range(turned.shape[2]):
+            for values, found in ((self.derivatives.values, out[:-1]), (self.by_amount[None], out[-1:])):
+                if k:
+                    found += values[:, :, None, k] * turned[:, :, k]
+                else:
+                    np.multiply(values[:, :, None, k], turned[:, :, k], out=found)
 
 
 class FaultLibraries:
@@ -130,18 +171,25 @@ class FaultLibraries:
         """The sound sensor, None, and every fault with every amount."""
         return (None, *(fault for part in self.faults for fault in part))
 
-    def about(self, fault: SensorFault | None, deviations: Array) -> Tables:
-        """Tables of a hypothesis about deviations (n_deviation,), with derivatives of its own."""
+    def about(self, faults: Sequence[SensorFault | None], deviations: Sequence[Array]) -> list[Tables]:
+        """Tables of hypotheses about deviations (n_deviation,) each, with derivatives of their own."""
         half = 0.5
-        moved = deviations + half * np.concatenate([np.zeros((1, self.size)), np.eye(self.size)])
-        found = self.with_deviations([fault], moved)
-        return Tables(fault, deviations, found[0], np.asarray(np.log(found[1:] / found[0]) / half))
+        steps = half * np.concatenate([np.zeros((1, self.size)), np.eye(self.size)])
+        moved = np.concatenate([own + steps for own in deviations])
+        found = self.with_deviations([fault for fault in faults for _ in steps], moved)
+        tables = []
+        for fault, own, h in zip(faults, deviations, np.split(found, len(faults)), strict=True):
+            changed = np.log(h[1:] / h[0])
+            changed = (changed[:, :, 1:] - changed[:, :, :1]) / half
+            tables.append(Tables(fault, own, h[0], Derivatives(changed[:-1]), changed[-1]))
+        return tables
 
     def nearer(self, tables: Sequence[Tables], deviations: Sequence[Array]) -> list[Tables]:
         """Tables of hypotheses computed about other deviations (n_deviation,) each, whose derivatives stay."""
         found = self.with_deviations([each.fault for each in tables], np.stack(deviations))
         return [
-            Tables(each.fault, own, h, each.derivatives) for each, own, h in zip(tables, deviations, found, strict=True)
+            replace(each, deviations=own, transfer_function=h)
+            for each, own, h in zip(tables, deviations, found, strict=True)
         ]
 
     @property
@@ -154,21 +202,23 @@ class FaultLibraries:
     @cached_property
     def screening(self) -> tuple[Tables, ...]:
         """Tables of all hypotheses with the derivatives of the sound sensor, beside those by their own amounts."""
-        sound = self.about(None, np.zeros(self.size))
+        (sound,) = self.about([None], [np.zeros(self.size)])
         half = 0.5
         moved = self.with_deviations(self.hypotheses, half * np.eye(self.size)[-1:])
-        found = []
-        for fault, own, more in zip(self.hypotheses, self.tables, moved, strict=True):
-            derivatives = sound.derivatives.copy()
-            derivatives[-1] = np.log(more / own) / half
-            found.append(Tables(fault, sound.deviations, own, derivatives))
-        return tuple(found)
+        changed = np.log(moved / self.tables)
+        by_amount = (changed[:, :, 1:] - changed[:, :, :1]) / half
+        return tuple(
+            replace(sound, fault=fault, transfer_function=own, by_amount=changed)
+            for fault, own, changed in zip(self.hypotheses, self.tables, by_amount, strict=True)
+        )
 
-    def of(self, fault: SensorFault | None) -> Tables:
-        """Tables of a hypothesis about no deviations, with derivatives of its own; kept."""
-        if fault not in self._kept:
-            self._kept[fault] = self.about(fault, np.zeros(self.size))
-        return self._kept[fault]
+    def of(self, faults: Sequence[SensorFault | None]) -> list[Tables]:
+        """Tables of hypotheses about no deviations, with derivatives of their own; kept."""
+        missing = [fault for fault in dict.fromkeys(faults) if fault not in self._kept]
+        for first in range(0, len(missing), _TOGETHER):
+            some = missing[first : first + _TOGETHER]
+            self._kept |= zip(some, self.about(some, [np.zeros(self.size)] * len(some)), strict=True)
+        return [self._kept[fault] for fault in faults]
 
     def with_deviations(self, faults: Sequence[SensorFault | None], deviations: Array) -> ComplexArray:
         """Transfer functions of sensors with faults and deviations.
@@ -194,43 +244,52 @@ class FaultLibraries:
         faults = [None if each is None else each.with_amount(float(z)) for each, z in zip(faults, amounts, strict=True)]
         whole = around.changed(_rows(self._scattered.parameters(draws), count))
         frequency = self.frequency.astype(np.float64)
-        parts: list[ArrayParameters] = [
-            _row(whole, k) if fault is None else fault.of_parts(_row(whole, k), self.medium)
-            for k, fault in enumerate(faults)
-        ]
-        joined = ArrayParameters(
-            **{name: np.concatenate([getattr(each, name) for each in parts]) for name in vars(parts[0])}
-        )
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", ModelLimitWarning)
-            h = np.asarray(batch_transfer_function(joined, self._scattered.topology, frequency, around.medium))
+            broken = self._with_broken_parts(whole, faults)
+            h = transfer_function_of_distinct_parts(broken, self._scattered.topology, frequency, around.medium)
         gain, corner = np.moveaxis(self._scattered.microphones(draws), 1, 0)[:, :, None, :, None]
         vent = vent_ratio(self.design.microphone, frequency, self.medium)
         h = h * gain * (1 + 1 / vent) / (1 + corner / vent)
         return np.stack([each if fault is None else fault.of_microphones(each)
                          for each, fault in zip(h, faults, strict=True)])  # fmt: skip
 
+    def _with_broken_parts(self, whole: ArrayParameters, faults: Sequence[SensorFault | None]) -> ArrayParameters:
+        """Parameters of sensors, each with its fault; rows of equal faults are changed together."""
+        rows: dict[SensorFault, list[int]] = {}
+        for number, fault in enumerate(faults):
+            if fault is not None:
+                rows.setdefault(fault, []).append(number)
+        radius, conductance = whole.tube_radius.copy(), whole.leak_conductance.copy()
+        for fault, own in rows.items():
+            broken = fault.of_parts(_chosen(whole, own), self.medium)
+            radius[own], conductance[own] = broken.tube_radius, broken.leak_conductance
+        return replace(whole, tube_radius=radius, leak_conductance=conductance)
+
     def _around(self, steps: Array) -> DrawnAirAndRubber:
         """Air and slope of the rubber of sensors, by deviations (n, 3)."""
-        options, media = self.options, []
-        air = self.design.air
-        base = LocalAir(self.medium.pressure, temperature_c=air.temperature)
-        exact = medium_of(base, self.design)
-        for pressure, temperature, _ in steps:
-            if not pressure and not temperature:
-                media.append(self.medium)
-                continue
-            moved = medium_of(
-                LocalAir(
-                    float(np.clip(self.medium.pressure + pressure * options.pressure, 5e4, 1.2e5)),
-                    temperature_c=float(np.clip(air.temperature + temperature * options.temperature, -19.0, 59.0)),
-                ),
-                self.design,
-            )
-            media.append(Medium(**{name: getattr(self.medium, name) * getattr(moved, name) / getattr(exact, name)
-                                   for name in vars(exact)}))  # fmt: skip
+        options = self.options
+        pairs = [tuple(pair) for pair in steps[:, :2].tolist()]
+        by_pair = {pair: self._air(*pair) for pair in set(pairs)}
+        media = [by_pair[pair] for pair in pairs]
         slope = np.maximum(1 + options.slope * steps[:, 2], 0.0)
         return DrawnAirAndRubber(MediumParameters.from_media(media), slope, np.ones(len(steps)))
+
+    def _air(self, pressure: float, temperature: float) -> Medium:
+        """Air by deviations of its pressure and its temperature."""
+        options, air = self.options, self.design.air
+        if not pressure and not temperature:
+            return self.medium
+        exact = medium_of(LocalAir(self.medium.pressure, temperature_c=air.temperature), self.design)
+        moved = medium_of(
+            LocalAir(
+                min(max(self.medium.pressure + pressure * options.pressure, 5e4), 1.2e5),
+                temperature_c=min(max(air.temperature + temperature * options.temperature, -19.0), 59.0),
+            ),
+            self.design,
+        )
+        ratios = {name: getattr(moved, name) / getattr(exact, name) for name in vars(exact)}
+        return Medium(**{name: getattr(self.medium, name) * ratio for name, ratio in ratios.items()})
 
 
 def _rows(parameters: ArrayParameters, count: int) -> ArrayParameters:
@@ -238,5 +297,6 @@ def _rows(parameters: ArrayParameters, count: int) -> ArrayParameters:
     return parameters.map(lambda values: np.broadcast_to(values, (count, *values.shape[1:])))
 
 
-def _row(parameters: ArrayParameters, number: int) -> ArrayParameters:
-    return parameters.map(lambda values: values[number : number + 1])
+def _chosen(parameters: ArrayParameters, rows: Sequence[int]) -> ArrayParameters:
+    """Parameters of some of the sensors."""
+    return parameters.map(lambda values: values[rows])

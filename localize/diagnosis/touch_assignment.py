@@ -49,14 +49,18 @@ def likeliest_assignments(
     # Score of the touches so far, precision and linear term of each state.
     scores, precision, linear = np.zeros(1), np.eye(size)[None], prior[None]
     chosen = np.full((1, touches), -1, np.int64)
-    for touch in np.argsort(-certain, kind="stable"):
+    order = np.argsort(-certain, kind="stable")
+    for number, touch in enumerate(order):
         tried = np.flatnonzero(alone[touch] > alone[touch].max() - WITHIN)
         total = precision[:, None] + information[touch, tried]
         vector = linear[:, None] + pull[touch, tried]
         gathered = scores[:, None] + score[touch, tried]
-        each = gathered + log_integral(total, vector)
-        best = np.argsort(-each, axis=None, kind="stable")[:kept]
-        state, place = np.unravel_index(best, each.shape)
+        state, place = np.indices(gathered.shape).reshape(2, -1)
+        # The likelihoods of the states are only needed where states are dropped, and in the end.
+        if len(state) > kept or number == len(order) - 1:
+            each = gathered + log_integral(total, vector)
+            best = np.argsort(-each, axis=None, kind="stable")[:kept]
+            state, place = state[best], place[best]
         scores, precision, linear = gathered[state, place], total[state, place], vector[state, place]
         chosen = chosen[state]
         chosen[:, touch] = tried[place]
@@ -100,22 +104,25 @@ def _linearised(
     variance = 1.0 + loudness * own
     windows = -((np.abs(residual) ** 2).sum(2) / variance + free * np.log(variance)).sum(2)  # (n_window, n_point)
     turned = unit[:, :, 1:] * h[:, None, 1:]
-    # (n_deviation, n_point, free, n_freq)
-    changed = np.sum([tables.relative[:, :, None, k] * turned[:, :, k] for k in range(free)], axis=0)
+    changed = np.empty((len(deviations), *residual.shape[1:]), np.complex128)  # (n_deviation, n_point, free, n_freq)
+    tables.derivatives_times(turned, changed)
     of_touch = np.eye(len(spectra.start))[spectra.touch].T
-    weight = np.einsum("tw,wpf->tpf", of_touch, loudness / variance)
-    force = np.einsum("tw,wpnf->tpnf", of_touch, source.conj()[:, :, None] * residual / variance[:, :, None])
+    of_windows = of_touch @ (loudness / variance).reshape(len(residual), -1)
+    weight = of_windows.reshape(-1, *loudness.shape[1:])  # (n_touch, n_point, n_freq)
+    pushed = source.conj()[:, :, None] * residual / variance[:, :, None]
+    force = (of_touch @ pushed.reshape(len(residual), -1)).reshape(-1, *residual.shape[1:])
     by_point = changed.transpose(1, 0, 2, 3)
     typical = weight.max(0)
     flat = (by_point * np.sqrt(typical)[:, None, None]).transpose(1, 0, 2, 3).reshape(len(deviations), -1)
     flat = np.ascontiguousarray(flat).view(np.float64)
     values, vectors = np.linalg.eigh(2 * flat @ flat.T)
     basis = vectors[:, values > LEAST]
-    rotated = np.einsum("dk,pdnf->pknf", basis, by_point)
-    points, size = len(rotated), rotated.shape[1]
-    real = np.ascontiguousarray(rotated.reshape(points, size, -1)).view(np.float64)
-    repeated = np.repeat(np.tile(weight, (1, 1, free)), 2, axis=2)  # (n_touch, n_point, 2 free n_freq)
-    information = 2 * np.matmul(real * repeated[:, :, None], real.transpose(0, 2, 1))
+    points, size = len(by_point), basis.shape[1]
+    real = basis.T @ np.ascontiguousarray(by_point.reshape(points, len(deviations), -1)).view(np.float64)
+    # Products of two combinations each, once for all touches: (n_point, n_freq, size, size).
+    parts = real.reshape(points, size, free, -1, 2).transpose(0, 3, 1, 2, 4).reshape(points, -1, size, 2 * free)
+    products = (parts @ parts.transpose(0, 1, 3, 2)).reshape(points, -1, size * size)
+    information = 2 * np.swapaxes(weight.transpose(1, 0, 2) @ products, 0, 1).reshape(-1, points, size, size)
     forces = np.ascontiguousarray(force.reshape(len(force), points, -1)).view(np.float64)
-    pull = 2 * np.einsum("pkr,tpr->tpk", real, forces)
+    pull = 2 * (real @ forces.transpose(1, 2, 0)).transpose(2, 0, 1)
     return of_touch @ windows, information, pull, -basis.T @ deviations

@@ -87,7 +87,11 @@ def test_touches_are_found_where_they_are() -> None:
     [
         (SensorFault("leak", (9,), 0.3), "point 9 leaks"),
         (SensorFault("blocked tube", (6,), 0.35), "tube 6 (between points 5 and 6)"),
+        # Its fit has another amount than the one by which the tube was found.
+        (SensorFault("blocked tube", (7,), 0.37), "tube 7 (between points 6 and 7)"),
         (SensorFault("quiet microphone", (1,), -12.0), "microphone A is about"),
+        # A leak beside it is as silent, but touches are spread over all points.
+        (SensorFault("quiet microphone", (1,), -60.0), "microphone A is dead"),
         (SensorFault("reversed microphone", (1,)), "reversed"),
     ],
 )
