@@ -67,13 +67,13 @@ The verdict is that of [`check`](verdict.md) without drawn parts. The smallest f
 be located at every point. The accuracy on the card is the predicted top-1 accuracy for taps with the force of the
 target. Accuracies in the tables are predicted top-1 accuracies for the taps and presses of `acoustic-fem run`. They
 hold for the noise of the design's microphone and for the tolerance-aware [decoder](decoder.md). As-built sensors have
-assumed [tolerances](tolerances.md) and are not calibrated. Other pages give different mean accuracies for the same
-design, because they use other touches, more sensors, another fidelity or another decoder. If the mean of the as-built
-sensors is low, [calibrate](calibration.md) each sensor, because calibration removes most of the loss. The cost covers
-the materials of one array at assumed prices, but not the molds. It assumes that no spring is bent, so a kit's bill may
-differ by 0.5 %. In the pictures each point is coloured by its own accuracy, and rings mark the *hardest pair*, the two
-points that are hardest to tell apart. The tables state the hardest pair with the differences of its points in level and
-in phase (rms over 1 to 100 Hz).
+the [tolerances of a sensor that nobody calibrated](tolerances.md#sensors-that-nobody-calibrated). Other pages give
+different mean accuracies for the same design, because they use other touches, more sensors, another fidelity or another
+decoder. If the mean of the as-built sensors is low, [calibrate](calibration.md) each sensor, because calibration
+removes most of the loss. The cost covers the materials of one array at assumed prices, but not the molds. It assumes
+that no spring is bent, so a kit's bill may differ by 0.5 %. In the pictures each point is coloured by its own accuracy,
+and rings mark the *hardest pair*, the two points that are hardest to tell apart. The tables state the hardest pair with
+the differences of its points in level and in phase (rms over 1 to 100 Hz).
 """
 
 

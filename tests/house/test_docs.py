@@ -13,6 +13,7 @@ import pytest
 import yaml
 from imports import PACKAGES, House
 
+from acoustic_fem.scatter.tolerances import TOLERANCES, UNCALIBRATED, Tolerance
 from geometry.design.design_file import read_design
 
 ROOT = Path(__file__).parents[2]
@@ -215,3 +216,16 @@ def test_the_example_of_the_design_page_is_a_valid_design() -> None:
     example = re.search(r"^```toml\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
     assert example is not None
     assert read_design(example.group(1)).point_count == 12
+
+
+@pytest.mark.parametrize(
+    ("heading", "tolerances"), [("Assumed deviations", TOLERANCES), ("Sensors that nobody calibrated", UNCALIBRATED)]
+)
+def test_the_deviations_of_the_tolerances_page_are_those_of_the_program(
+    heading: str, tolerances: tuple[Tolerance, ...]
+) -> None:
+    page = (ROOT / "docs" / "tolerances.md").read_text(encoding="utf-8")
+    section = re.split(r"^##", page.partition(f"# {heading}\n")[2], flags=re.MULTILINE)[0]
+    rows = re.findall(r"^\| `(\w+)`[^|]*\| ([\d.]+)", section, re.MULTILINE)
+    stated = {each.quantity: each.deviation * (100 if each.kind == "relative" else 1) for each in tolerances}
+    assert {quantity: float(value) for quantity, value in rows} == pytest.approx(stated)
