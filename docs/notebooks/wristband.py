@@ -53,7 +53,7 @@ axis.set_axis_off()
 plt.show()
 
 # %% [markdown]
-# The nominal sensor is good, but as-built sensors are bad. Which bore tolerates deviations best? Springs are sold in
+# The nominal sensor is good, but as-built sensors are worse. Which bore tolerates deviations best? Springs are sold in
 # a few sizes, so we try several of them.
 
 # %%
