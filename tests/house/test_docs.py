@@ -15,6 +15,8 @@ from imports import PACKAGES, House
 
 from acoustic_fem.scatter.tolerances import TOLERANCES, UNCALIBRATED, Tolerance
 from geometry.design.design_file import read_design
+from geometry.ground.extras import EXTRAS
+from studies.cli.verbs import VERBS
 
 ROOT = Path(__file__).parents[2]
 PAGES = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")])
@@ -229,3 +231,13 @@ def test_the_deviations_of_the_tolerances_page_are_those_of_the_program(
     rows = re.findall(r"^\| `(\w+)`[^|]*\| ([\d.]+)", section, re.MULTILINE)
     stated = {each.quantity: each.deviation * (100 if each.kind == "relative" else 1) for each in tolerances}
     assert {quantity: float(value) for quantity, value in rows} == pytest.approx(stated)
+
+
+def test_the_table_of_the_installation_has_every_extra_and_every_verb_beside_what_it_needs() -> None:
+    page = (ROOT / "docs" / "install.md").read_text(encoding="utf-8")
+    rows = dict(re.findall(r"^\| `?(\w+)`? \| (.*?) \|", page, re.MULTILINE))
+    assert set(rows) >= {*EXTRAS, "none", "all"}
+    for name, verb in VERBS.items():
+        found = [extra for extra, row in rows.items() if f"`{name}`" in row or f"`{name} " in row]
+        wanted = {name} if name == "studio" else {*verb.needs, "all"} if name == "run" else set(verb.needs) or {"none"}
+        assert wanted & set(found), f"{name} stands beside {found}, needs {verb.needs}"
