@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
@@ -9,6 +10,7 @@ from typing import Literal
 from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.typed import Array
 from geometry.plan.cylinder import Frame, Surface
+from geometry.plan.routing import tightest_bend
 from geometry.schema.part_fields import Tube
 from geometry.schema.ports import ANGLE_STEP, Port, in_common_rotation
 
@@ -107,6 +109,11 @@ class TubePlacement:
     def label(self) -> str:
         """Name in notes: tubes of a line count from 1 at its first microphone."""
         return f"tube {self.segment + 1} of line {self.line + 1}"
+
+    @property
+    def is_straight(self) -> bool:
+        """True if its axis has no bend; schematic tubes have no known axis."""
+        return not self.schematic and tightest_bend(self.course) == math.inf
 
 
 @dataclass(frozen=True)

@@ -101,7 +101,8 @@ def top_view(
 ) -> Path:
     """Render the whole array from straight above, with its width, depth and pitch in mm and the names of its parts.
 
-    The pitch is that of two neighbours of the first line, where the array is flat. Arguments as for :func:`draw_array`.
+    The pitch is that of two neighbours of the first line, with a straight tube between them if one has it, where the
+    array is flat. Arguments as for :func:`draw_array`.
     """
     model = array_model(array)
     plotter = open_plotter(size)
@@ -126,6 +127,10 @@ def _add_pitch(plotter: pv.Plotter, model: ArrayModel, height: float, pixel: flo
     if points < 2 or not isinstance(model.layout.surface, Plane):
         return
     begin = min(2, points - 2)  # away from the name of the first microphone
+    # A bent tube brings the axes of its shells nearer than the length of a tube says.
+    straight = [tube.segment - 1 for tube in model.layout.tubes if tube.line == 0 and tube.is_straight]
+    between = [number for number in straight if 0 <= number <= points - 2]
+    begin = min(between, key=lambda number: abs(number - begin), default=begin)
     first, second = (np.array([*point.position, height]) for point in model.layout.points[begin : begin + 2])
     step = second - first
     reach = model.design.resonator.outer_diameter / 2 + 15 * pixel
@@ -325,7 +330,7 @@ def _name_at_head(
         place = reach / 2 * along + (max(seat, board.head[1][1]) + _BESIDE_HEAD) * towards
         vertical, height = "top", -model.design.resonator.floor_thickness
     anchor = tuple(model.layout.frame(placed).at(float(place[0]), float(place[1]), height).tolist())
-    draw_labels(plotter, [anchor], [f"microphone {placed.name}"], 20, ("center", vertical))
+    draw_labels(plotter, [anchor], [f"mic {placed.name}"], 20, ("center", vertical))
 
 
 def _add_labels(plotter: pv.Plotter, model: ArrayModel, seen_from: tuple[float, float, float]) -> None:
@@ -353,4 +358,4 @@ def _add_labels(plotter: pv.Plotter, model: ArrayModel, seen_from: tuple[float, 
         x, y = (reach if before else -reach) * towards
         height = -design.resonator.floor_thickness if before else top
         anchor = tuple(layout.frame(microphone).at(float(x), float(y), height).tolist())
-        draw_labels(plotter, [anchor], [f"microphone {microphone.name}"], 20, ("center", "top" if before else "bottom"))
+        draw_labels(plotter, [anchor], [f"mic {microphone.name}"], 20, ("center", "top" if before else "bottom"))

@@ -34,10 +34,8 @@ def holding_words(model: ArrayModel) -> str:
             f"of {abs(height):.2f} mm under the {upper}, so that the tubes at the ends stay straight."
         )
     where = "assembly.csv has the place of each part."
-    if apart and max(apart) - min(apart) < _LEVEL:
-        where = f"the axes of neighbours on a line are {apart[0]:.4g} mm apart, and {where}"
-    elif apart:
-        where = f"the axes of neighbours on a line are {min(apart):.4g} to {max(apart):.4g} mm apart, and {where}"
+    if apart:
+        where = f"{apart}, and {where}"
     steps.append(f"Tubes that are pushed in up to their lips set the distance: {where}")
     steps.append(
         'The program also draws a base plate with a seat for each part: write [base] kind = "plate" into design.toml '
@@ -46,18 +44,30 @@ def holding_words(model: ArrayModel) -> str:
     return " ".join(steps)
 
 
-def _distances(model: ArrayModel) -> list[float]:
-    """Distances of consecutive points of each line, mm."""
+def _distances(model: ArrayModel) -> str:
+    """Distances of neighbours on a line in words, of straight and of bent tubes; empty without neighbours."""
     places = {part.group: np.array(part.position) for part in model.placed if part.kind == "shell"}
-    found, first = [], 1
-    for line in model.design.lines:
-        last = first + line.points
-        found += [
-            float(np.linalg.norm(places[f"point {number}"] - places[f"point {number + 1}"]))
-            for number in range(first, last - 1)
-        ]
-        first = last
-    return found
+    apart: dict[bool, list[float]] = {True: [], False: []}
+    first = 1
+    for number, line in enumerate(model.design.lines):
+        for tube in model.layout.tubes:
+            if tube.line == number and 0 < tube.segment < line.points:
+                point = first + tube.segment - 1
+                step = places[f"point {point}"] - places[f"point {point + 1}"]
+                apart[tube.is_straight].append(float(np.linalg.norm(step)))
+        first += line.points
+    words = [
+        f"the axes of neighbours at a {'straight' if straight else 'bent'} tube are {_range(found)} apart"
+        for straight, found in apart.items()
+        if found
+    ]
+    return ", ".join(words)
+
+
+def _range(lengths: list[float]) -> str:
+    """A length, or the shortest and the longest of several, mm."""
+    low, high = min(lengths), max(lengths)
+    return f"{low:.4g} mm" if high - low < _LEVEL else f"{low:.4g} to {high:.4g} mm"
 
 
 def _lowest(model: ArrayModel, kind: str) -> float:

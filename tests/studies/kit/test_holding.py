@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import math
 from itertools import pairwise
+from pathlib import Path
+from typing import Any
 
 import pytest
 
 import geometry
 from geometry.assembly.model import ArrayModel, array_model
+from geometry.pictures import views
 from studies.kit.holding import holding_words, shim_height
 
 
@@ -30,13 +33,33 @@ def test_the_distance_of_neighbours_is_that_of_the_layout(model: ArrayModel) -> 
     assert "18.5 mm apart" in holding_words(model)
 
 
-def test_distances_that_differ_are_told_from_the_shortest_to_the_longest() -> None:
-    design = geometry.prototype("glove")
-    model = array_model(design)
+def test_distances_at_bent_tubes_are_stated_apart_from_those_at_straight_ones() -> None:
+    model = array_model("glove")
     places = [point.position for point in model.layout.points]
     apart = [math.dist(one, other) for one, other in pairwise(places[:6])]
-    assert max(apart) - min(apart) > 0.1
-    assert f"{min(apart):.4g} to {max(apart):.4g} mm apart" in holding_words(model)
+    # A glove's fingers are joined at their tips, between points 3 and 4, by a bow.
+    bent, straight = apart[2], apart[:2] + apart[3:]
+    assert max(straight) - bent > 0.1
+    words = holding_words(model)
+    assert f"straight tube are {straight[0]:.4g} mm apart" in words
+    assert f"bent tube are {bent:.4g} mm apart" in words
+    assert [tube.label for tube in model.layout.tubes if not tube.is_straight] == [
+        "tube 4 of line 1",
+        "tube 4 of line 2",
+    ]
+
+
+def test_the_pitch_in_the_picture_is_that_of_a_straight_tube(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    written: list[str] = []
+    drawn = views.draw_dimension
+
+    def noted(plotter: Any, ends: Any, aside: Any, words: str, pixel: float) -> None:
+        written.append(words)
+        drawn(plotter, ends, aside, words, pixel)
+
+    monkeypatch.setattr(views, "draw_dimension", noted)
+    views.top_view("glove", tmp_path / "glove.png", (400, 300))
+    assert written[-1] == "pitch 21 mm"
 
 
 def test_a_base_plate_holds_the_array_itself(model: ArrayModel) -> None:
