@@ -186,7 +186,7 @@ class Bill:
         waste = self.waste
         lost = (
             f"Quantities include what is lost: resin x {waste.resin_factor:g}, silicone x {waste.silicone_factor:g}, "
-            f"{waste.cutting_loss:g} mm a cut."
+            f"{waste.cutting_loss:g} mm a cut. Spares, packs, and the rest in a cup of silicone come on top."
         )
         return "\n".join([f"Bill of materials of one {self.design}", "", *lines, "", lost, f"{total}; {self.priced}"])
 

@@ -6,6 +6,9 @@ from dataclasses import dataclass, replace
 
 from geometry.schema.print_processes import Relation, Rule, Verdict
 
+#: Names of the rules on layers that hang in the air.
+_HANGING = ("islands", "widest overhang", "reach of overhang")
+
 
 @dataclass(frozen=True)
 class Finding:
@@ -29,6 +32,11 @@ class Finding:
     """Place of the worst spot, in the part's own coordinates, mm; None where the rule has no one place."""
     relation: Relation = "at least"
     """How the value must stand to the limit."""
+
+    @property
+    def needs_support(self) -> bool:
+        """True if a layer of the part hangs in the air more than is advised without supports."""
+        return self.verdict != "ok" and self.rule in _HANGING
 
 
 def by_rule(

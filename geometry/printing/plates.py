@@ -25,6 +25,10 @@ if TYPE_CHECKING:
     import cadquery as cq
 
 
+#: End of the name of a plate of molds.
+_OF_MOLDS = "-molds"
+
+
 @dataclass(frozen=True, eq=False)
 class Plate:
     """A plate of a machine and what lies on it."""
@@ -38,6 +42,11 @@ class Plate:
     def copies(self) -> dict[str, int]:
         """How many copies of each part lie on it, by name."""
         return {name: len(places) for name, places in self.places.items()}
+
+    @property
+    def holds_molds(self) -> bool:
+        """True for a plate of molds, which are printed before the array."""
+        return self.path.stem.endswith(_OF_MOLDS)
 
 
 @dataclass(frozen=True)
@@ -94,7 +103,7 @@ def export_plates(
         problem = f"none of {', '.join(parts) or 'none'} can be laid on the plate of {process.name}"
         raise Refusal(problem, kind=Kind.UNSUITABLE)
     plates = []
-    jobs = [("-molds", placed) for placed in _packed(molds, process)]
+    jobs = [(_OF_MOLDS, placed) for placed in _packed(molds, process)]
     jobs += [("", placed) for placed in _packed(others, process)]
     for number, (suffix, placed) in enumerate(jobs, start=1):
         distinct = {shape.names[0]: shape for shape, _ in placed}

@@ -46,6 +46,11 @@ class PrintReport:
         bad = [finding for finding in self.findings if finding.verdict != "ok"]
         return tuple(sorted(bad, key=lambda finding: finding.verdict == "warn"))
 
+    @property
+    def supported(self) -> tuple[str, ...]:
+        """Names of the parts whose overhangs or islands need supports."""
+        return tuple(dict.fromkeys(finding.part for finding in self.findings if finding.needs_support))
+
 
 def print_report(
     parts: Mapping[str, cq.Workplane],

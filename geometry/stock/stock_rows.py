@@ -388,6 +388,7 @@ class Logger(StockPart):
         description="names of the terminals of channel N, signal and ground, with {n} for its number"
     )
     first_terminal: int = Field(default=1, ge=0, le=1, description="number that the maker gives to the first channel")
+    sound_card: bool = Field(default=False, description="true if computers see it as a sound card, which live reads")
 
     @property
     def size(self) -> str:

@@ -21,6 +21,7 @@ from studies.kit.logger_levels import (
     LongestTouch,
     expected_levels,
     gentle_touches,
+    two_digits,
 )
 from studies.kit.microphone_wiring import (
     Wire,
@@ -31,6 +32,7 @@ from studies.kit.microphone_wiring import (
     wires_csv,
     wiring_of,
 )
+from studies.kit.recording_setup import logger_needs
 
 #: Folder of the files of the board.
 BOARD_FOLDER = "electronics"
@@ -59,6 +61,11 @@ class Electronics:
     def logger(self) -> Logger | None:
         """Most suitable data logger; None for digital microphones, or if none has enough inputs."""
         return self.levels.loggers[0].logger if self.levels.loggers else None
+
+    @property
+    def logger_needs(self) -> str:
+        """Properties that every data logger must have; empty for digital microphones."""
+        return logger_needs(self.levels, self.wires[-1].channel - 1)
 
     @property
     def first_touch(self) -> LongestTouch:
@@ -144,6 +151,7 @@ def _order_lines(electronics: Electronics) -> Iterator[str]:
 def _wiring_lines(electronics: Electronics) -> Iterator[str]:
     """Lines of the wiring sheet."""
     wiring, levels = electronics.wiring, electronics.levels
+    needs = electronics.logger_needs
     yield f"Wiring of the microphones {wiring.model}"
     yield ""
     if wiring.board is None:
@@ -169,12 +177,15 @@ def _wiring_lines(electronics: Electronics) -> Iterator[str]:
             f"of {noises}, together {each.noise_steps:.3g} steps (rms)."
         )
         yield from each.problems
+    if needs:
+        yield ""
+        yield needs
     yield ""
     yield from levels.verdict
     yield ""
     yield "Largest touches that are not clipped, on the loudest point:"
     for touch in electronics.gentle:
-        yield f"  {touch.seconds:.2g} s  {touch.force:.2g} N, the weight of {touch.grams:.2g} g"
+        yield f"  {touch.seconds:.2g} s  {touch.force:.2g} N, the weight of {two_digits(touch.grams)} g"
 
 
 def _levels_csv(levels: ExpectedLevels) -> str:
@@ -191,7 +202,8 @@ def _levels_csv(levels: ExpectedLevels) -> str:
             row: list[object] = [point.point, point.microphone, each.name]
             for pressure in (point.touch, point.firm):
                 kept = levels.recorded(pressure, each)
-                volts = "" if levels.sensitivity is None else f"{1e3 * kept * levels.sensitivity:.4g}"
+                peak = levels.volts_of(pressure, each)
+                volts = "" if peak is None else f"{1e3 * peak:.4g}"
                 clipped = "yes" if levels.is_clipped(pressure, each) else "no"
                 row += [f"{pressure:.4g}", volts, f"{each.decibels(kept):.1f}", clipped]
             headroom = each.decibels(levels.overload) - each.decibels(point.touch)

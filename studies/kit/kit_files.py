@@ -213,7 +213,7 @@ def _first_words(name: str, has_body: bool) -> str:
         f"Recording and calibrating need acoustic-fem {installed_version('acoustic-fem')}, which wrote this kit, on a",
         "computer with Python 3.11 or newer. Install it from its source: in the folder with its pyproject.toml type",
         "pip install '.[fem,live]'. Then make the library of the sensor, which every recording is compared with:",
-        f"acoustic-fem solve {BUILD}/design.toml --out library.nc",
+        f"acoustic-fem solve {BUILD}/design.toml --out {BUILD}/library.nc",
     ]
     if has_body:
         lines += ["", f"{BUILD}/body.txt says how the array goes onto the body, whose files are in {PRINT}/body."]

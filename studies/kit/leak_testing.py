@@ -61,6 +61,8 @@ class LeakTest:
     """Largest fall of the height between the two levels of the gauge in the time that it is watched, mm."""
     bubbles: float
     """Bubbles of 1 mm a second that the largest leak makes in soapy water."""
+    cell: float
+    """Compliance of the membrane and of the air of one point, m^3/Pa."""
 
     @property
     def water(self) -> float:
@@ -70,7 +72,15 @@ class LeakTest:
     @property
     def fall(self) -> str:
         """Largest fall, mm, in words."""
-        return f"{self.largest_fall:.0f}" if self.largest_fall >= 10 else f"{self.largest_fall:.2g}"
+        return _in_words(self.largest_fall)
+
+    def fall_of(self, points: int) -> str:
+        """Largest fall, mm, in words, if the largest leak empties a piece of several points, which falls more slowly.
+
+        Args:
+            points: number of points of the piece.
+        """
+        return _in_words(_fall(self.pressure, self.largest_conductance, points * self.cell))
 
 
 def needle_words(bore: float) -> str:
@@ -95,12 +105,19 @@ def _test_of(design: ArrayDesign, kind: str) -> LeakTest:
     cell = membrane + cubic_metres(design.resonator.cavity_volume) / air.pressure
     pressure, rise, linear = _bulge(design, membrane, radius)
     largest = 2 * math.pi * LARGEST_CORNER * cell
+    fall, volume = _fall(pressure, largest, cell), math.pi / 6 * _BUBBLE**3
+    bubbles, hole = largest * pressure / volume, 1e3 * _hole(largest, design)
+    return LeakTest(kind, pressure, 1e3 * rise, linear, largest, hole, fall, bubbles, cell)
+
+
+def _fall(pressure: float, conductance: float, compliance: float) -> float:
+    """Fall of the gauge while it is watched, mm, with a leak (m^3/(Pa s)) and a compliance (m^3/Pa) beside it."""
     gauge = math.pi / 4 * GAUGE_BORE**2 / _WATER / 2
-    fall = 1e3 * pressure / _WATER * -math.expm1(-WATCHED * largest / (gauge + cell))
-    volume = math.pi / 6 * _BUBBLE**3
-    return LeakTest(
-        kind, pressure, 1e3 * rise, linear, largest, 1e3 * _hole(largest, design), fall, largest * pressure / volume
-    )
+    return 1e3 * pressure / _WATER * -math.expm1(-WATCHED * conductance / (gauge + compliance))
+
+
+def _in_words(fall: float) -> str:
+    return f"{fall:.0f}" if fall >= 10 else f"{fall:.2g}"
 
 
 def _bulge(design: ArrayDesign, compliance: float, radius: float) -> tuple[float, float, bool]:

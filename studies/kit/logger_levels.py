@@ -27,11 +27,16 @@ GRAM = 9.81e-3
 #: Full scale of a knob per overload of the microphone, so that the microphone is clipped first.
 _ABOVE_OVERLOAD = 1.1
 #: Highest frequency of the slowest touches that a stream decodes, Hz: a logger must reach it.
-_SLOWEST = 3.0
+SLOWEST = 3.0
 #: Sound pressure of a sine at which a sensitivity is stated, peak, Pa.
 _STATED_PEAK = math.sqrt(2)
 #: Bits of the samples of digital microphones.
 _DIGITAL_BITS = 24
+
+
+def two_digits(value: float) -> str:
+    """A number with two digits that count, without a power of ten: 150 and not 1.5e+02."""
+    return f"{float(f'{value:.2g}'):.6g}"
 
 
 @dataclass(frozen=True)
@@ -130,6 +135,15 @@ class ExpectedLevels:
         return self.force * self.largest_pressure(logger) / point.touch
 
     @property
+    def largest_voltage(self) -> float | None:
+        """Output of the microphone when it is clipped, V peak; None for a digital microphone."""
+        return None if self.sensitivity is None else self.overload * self.sensitivity
+
+    def volts_of(self, pressure: float, logger: LoggerLevels) -> float | None:
+        """Largest voltage of a peak pressure (Pa) at a logger, V; None for a digital microphone."""
+        return None if self.sensitivity is None else self.recorded(pressure, logger) * self.sensitivity
+
+    @property
     def survived_force(self) -> float:
         """Force of a tap at which the loudest point makes :data:`SURVIVED`, N."""
         return self.force * SURVIVED / max(point.touch for point in self.points)
@@ -213,10 +227,10 @@ def _limits(logger: Logger, volts: float, wanted: float, noise: float, step: flo
             f"One step is {1e3 * step:.2g} mPa, more than {LARGEST_STEP:g} times the noise of {1e3 * noise:.2g} mPa, "
             "so a quiet channel does not change. Amplify the microphones."
         )
-    if logger.low_corner is not None and logger.low_corner > _SLOWEST:
+    if logger.low_corner is not None and logger.low_corner > SLOWEST:
         yield (
             f"Its inputs are not specified below {logger.low_corner:g} Hz, but slow touches reach down to "
-            f"{_SLOWEST:g} Hz. Measure its response there before you buy it."
+            f"{SLOWEST:g} Hz. Measure its response there before you buy it."
         )
 
 
@@ -230,9 +244,9 @@ def _on_overload(design: ArrayDesign, loudest: float, largest: float) -> Iterato
         return
     yield (
         f"A tap of {force:g} N makes up to {loudest:.3g} Pa, but the microphone is clipped from {overload:.3g} Pa. So "
-        f"its taps are clipped above {largest:.2g} N ({largest / GRAM:.2g} g) on the loudest point. A clipped touch "
-        "loses its peak: a decoder leaves that channel out and uses the other microphones, or reports that it cannot "
-        "read the touch. Slow presses are quieter."
+        f"its taps are clipped above {largest:.2g} N ({two_digits(largest / GRAM)} g) on the loudest point. A clipped "
+        "touch loses its peak: a decoder leaves that channel out and uses the other microphones, or reports that it "
+        "cannot read the touch. Slow presses are quieter."
     )
     values = [(each, each.values.get("microphone.overload", 0.0)) for each in catalogue().of(StockMicrophone)]
     better = [(each.part_number, value) for each, value in values if value > overload]

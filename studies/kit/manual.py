@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import math
+from collections import Counter
 from collections.abc import Callable, Sequence
 from importlib import resources
 from pathlib import Path
@@ -15,11 +16,11 @@ from geometry.assembly.order_table import AssemblyStep, assembly_steps
 from geometry.boards import board_drawing
 from geometry.formats.part_files import SharedShape
 from geometry.ground.whole_files import write_text
-from geometry.printing.plates import Plates
+from geometry.printing.plates import Plate, Plates
 from geometry.printing.pose import find_pose
 from geometry.printing.printability import PrintReport
 from geometry.schema.print_processes import PrintProcess
-from geometry.stock import Silicone, Sleeve, catalogue
+from geometry.stock import Silicone, catalogue
 from studies.kit import step_drawings, step_pictures
 from studies.kit.body_files import BodyFiles
 from studies.kit.build_facts import casts_of, dangers_of, glue_of, setting_words
@@ -37,10 +38,11 @@ from studies.kit.expected_signals import (
 from studies.kit.holding import holding_words
 from studies.kit.jobs import BUILD, BUY, CAST, CUT, PRINT
 from studies.kit.leak_testing import GAUGE_BORE, WATCHED, leak_tests, needle_words
-from studies.kit.logger_levels import FIRM_TAP
+from studies.kit.logger_levels import FIRM_TAP, two_digits
 from studies.kit.lying import lying_words
 from studies.kit.ordering import OrderList
 from studies.kit.questions import Facts, answers_of
+from studies.kit.recording_setup import conversion_line, needs_conversion, told_apart_words
 from studies.kit.step_drawings import glued_face_words
 from studies.kit.step_tools import HAVE_READY, tools_of
 from studies.kit.touch_leak_test import READABLE, TOUCHED_HOLE, leak_signs, touch_order
@@ -93,6 +95,7 @@ def write_manual(
     )
     environment.filters |= {
         "chunks": _chunks,
+        "g2": two_digits,
         "g3": _three,
         "signed": _signed,
     }
@@ -111,6 +114,7 @@ def write_manual(
         expected_signals(model.design, built),
         leak_signs(model.design, built),
         electronics,
+        printing.supported,
         body,
     )
     page = environment.from_string(text).render(**_content(facts, shapes, report))
@@ -123,7 +127,8 @@ def _content(facts: Facts, shapes: Sequence[SharedShape], report: Report) -> dic
     """Everything that the page shows."""
     model, design, bill = facts.model, facts.model.design, facts.order.bill
     silicone = catalogue().silicone(design).part
-    sleeves = [item.part for item in bill.items if isinstance(item.part, Sleeve)]
+    ends = Counter(name for line in design.lines for name in line.between)
+    levels = facts.electronics.levels
     tubes = [tube.tube for tube in model.layout.tubes]
     placed = (design, model.layout, facts.order)
     return {
@@ -137,7 +142,10 @@ def _content(facts: Facts, shapes: Sequence[SharedShape], report: Report) -> dic
         "parts": _part_rows(facts, shapes),
         "silicone": silicone if isinstance(silicone, Silicone) else None,
         "glues": {joint: glue_of(bill, joint) for joint in ("tube", "membrane", "board")},
-        "sleeves": sleeves,
+        "sheaths": sheath_orders(*placed),
+        "shared_housings": [name for name in design.microphones if ends[name] > 1],
+        "conversion": conversion_line(levels) if needs_conversion(levels) else None,
+        "told_apart": told_apart_words(facts.signals),
         "bores": sorted({tube.inner_diameter for tube in tubes}),
         "steps": assembly_steps(model),
         "tube_words": _tube_words,
@@ -157,7 +165,7 @@ def _content(facts: Facts, shapes: Sequence[SharedShape], report: Report) -> dic
         "readable": READABLE,
         "board_folder": BOARD_FOLDER,
         "firm": FIRM_TAP,
-        "needle": [needle_words(bore) for bore in sorted({tube.inner_diameter for tube in tubes})],
+        "needle": list(dict.fromkeys(needle_words(bore) for bore in sorted({tube.inner_diameter for tube in tubes}))),
         "setting": setting_words,
         "tools": tools_of(facts.order, on_body=design.layout.frozen is not None),
         "have_ready": HAVE_READY,
@@ -180,11 +188,15 @@ def _content(facts: Facts, shapes: Sequence[SharedShape], report: Report) -> dic
 
 def _pictures(facts: Facts, shapes: Sequence[SharedShape], report: Report) -> dict[str, str]:
     """Pictures of steps as addresses that hold them."""
-    model, plates = facts.model, facts.plates.plates
-    last = plates[-1]
+    model, plates, marks = facts.model, facts.plates.plates, step_pictures.part_marks(facts.model)
+    others = [plate for plate in plates if not plate.holds_molds] or plates[-1:]
+
+    def plate_picture(plate: Plate) -> Callable[[], bytes]:
+        return lambda: step_pictures.plate_picture(plate, shapes, facts.process, marks)
+
     drawn: dict[str, Callable[[], bytes]] = {
-        "molds": lambda: step_pictures.plate_picture(plates[0], shapes, facts.process),
-        "plate": lambda: step_pictures.plate_picture(last, shapes, facts.process),
+        "molds": plate_picture(plates[0]),
+        **{f"plate-{number}": plate_picture(plate) for number, plate in enumerate(others, start=1)},
         "parts": lambda: step_pictures.parts_picture(model),
         "mold": lambda: step_pictures.mold_picture(model),
         "membrane": lambda: step_pictures.membrane_picture(model),

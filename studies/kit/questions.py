@@ -20,6 +20,7 @@ from studies.kit.electronics_files import Electronics
 from studies.kit.expected_signals import FREQUENCY, ExpectedSignal
 from studies.kit.jobs import BUILD, BUY, CUT, PRINT
 from studies.kit.leak_testing import WATCHED, LeakTest
+from studies.kit.logger_levels import two_digits
 from studies.kit.ordering import OrderList
 from studies.kit.step_drawings import glued_face_words
 from studies.kit.touch_leak_test import LeakSign
@@ -67,6 +68,8 @@ class Facts:
     """Changes by which touches show leaks."""
     electronics: Electronics
     """Wiring, board and levels of the microphones."""
+    supported: tuple[str, ...]
+    """Names of the parts that need supports while they are printed."""
     body: BodyFiles | None
     """Solids for the body that the array lies on; None for other arrays, and where its file is not at hand."""
 
@@ -104,7 +107,16 @@ def _buying(facts: Facts) -> Sequence[tuple[str, str, str]]:
             "hours",
         ),
         ("order_first", "Microphones and springs, because their delivery takes longest.", "buy"),
-        ("microphone", f"{line.amount} of {model}, spares included.", "buy"),
+        (
+            "microphone",
+            f"{line.amount} of {model}, spares included"
+            + (
+                "."
+                if line.part is None
+                else f": {line.bought_as}, {line.part.price:g} {money} each ({line.part.price_source})."
+            ),
+            "buy",
+        ),
         (
             "tools",
             ", ".join(line.item for line in order.lines if line.purpose == "tool") + ".",
@@ -115,13 +127,14 @@ def _buying(facts: Facts) -> Sequence[tuple[str, str, str]]:
 
 def _printing(facts: Facts) -> Sequence[tuple[str, str, str]]:
     plates, parts = facts.plates.plates, facts.model.parts
-    first = plates[0]
+    first = [plate for plate in plates if plate.holds_molds] or plates[:1]
     shells = ", ".join(f"{parts.counts[n]} x {n}" for n in parts if parts.kinds[n] == "shell" and parts.counts[n])
     carrier = "carrier" in parts
     return (
         (
             "print_first",
-            f"{first.path.name} in {PRINT}: {', '.join(f'{n} x {name}' for name, n in first.copies.items())}.",
+            f"The molds, because membranes cure while you print the array: {', '.join(p.path.name for p in first)} in "
+            f"{PRINT}, with {', '.join(f'{n} x {name}' for plate in first for name, n in plate.copies.items())}.",
             "step-1",
         ),
         (
@@ -167,7 +180,7 @@ def _casting(facts: Facts) -> Sequence[tuple[str, str, str]]:
     each = casts[0]
     strips = "; ".join(f"{s.name}: {s.count} x {s.what} of {s.length:g} mm" for s in facts.strips)
     springs = [
-        f"{each.size}; {1000 * each.length:.0f} mm in all; {each.source}"
+        f"{each.size}; {each.length_words}; {each.source}"
         for each in spring_orders(design, facts.model.layout, facts.order)
     ]
     return (
@@ -226,7 +239,7 @@ def _building(facts: Facts) -> Sequence[tuple[str, str, str]]:
     glues = {joint: glue_of(bill, joint) for joint in ("tube", "membrane", "board")}
     names = {joint: "a glue that the catalogue lacks" if glue is None else glue.name for joint, glue in glues.items()}
     first, design = facts.signals[0], facts.model.design
-    line, touch = design.lines[0], electronics.first_touch
+    touch, lines = electronics.first_touch, [f"from {' to '.join(line.between)}" for line in design.lines]
     board = names["board"] if design.microphone.gasket_width is None else "none: the board lies on its gasket"
     return (
         ("glue_membrane", names["membrane"] + ".", "step-8"),
@@ -234,8 +247,8 @@ def _building(facts: Facts) -> Sequence[tuple[str, str, str]]:
         ("glue_board", board + ".", "step-12"),
         (
             "order",
-            f"Membranes first, then line by line from microphone {line.between[0]} to microphone {line.between[1]}, as "
-            f"{BUILD}/assembly.txt lists, and the boards last.",
+            f"Membranes first, then line by line, {', '.join(lines)}, housings without their boards included, as "
+            f"{BUILD}/assembly.txt lists. The boards come last.",
             "step-10",
         ),
         (
@@ -254,7 +267,7 @@ def _building(facts: Facts) -> Sequence[tuple[str, str, str]]:
         (
             "overload",
             " ".join(electronics.levels.verdict) + f" The first recording needs touches of {touch.seconds:g} s with "
-            f"{touch.force:.2g} N ({touch.grams:.2g} g) at most.",
+            f"{touch.force:.2g} N ({two_digits(touch.grams)} g) at most.",
             f"step-{facts.recording_step}",
         ),
         (
@@ -293,4 +306,4 @@ def _logger_words(electronics: Electronics) -> str:
         return f"None: {first.name}. A controller reads it; embed writes the firmware."
     others = ", ".join(each.name for each in electronics.levels.loggers[1:])
     other = f" Also possible: {others}." if others else ""
-    return f"{first.name} with a largest sample of {first.volts:.3g} V.{other}"
+    return f"{first.name} with a largest sample of {first.volts:.3g} V.{other} {electronics.logger_needs}"

@@ -26,6 +26,8 @@ _SIZE = (1100, 620)
 _TOOL, _PLATE = "#d9c27a", "#e8ebee"
 #: View from the front and above.
 _FROM_ABOVE = (0.0, -1.0, 0.8)
+#: View in which the angles between ports are seen.
+_STEEPLY = (0.0, -1.0, 2.0)
 #: Words of a picture, pixels.
 _WORDS = 18
 #: Colours of a body, and of what has the pockets.
@@ -33,8 +35,10 @@ _BODY, _WALL = "#8f9aa3", "#e2ddcf"
 #: Length of a mean normal below which an array goes round its body; cosines of directions that are seen from straight
 #: above, and of parts that face the viewer; height of their numbers above the membranes, mm.
 _ROUND, _STEEP, _FACING, _RAISED = 0.2, 0.95, 0.25, 0.3
-#: Parts of the sheet of parts that stand in one row.
-_A_ROW = 5
+#: Parts of the sheet of parts that stand in one row, and distance of its rows by that of its columns.
+_A_ROW, _ROW_APART = 5, 1.45
+#: Letter on a part of a plate, pixels.
+_LETTER = 13
 
 
 def _png(draw: Callable[[Path], object]) -> bytes:
@@ -46,8 +50,17 @@ def _png(draw: Callable[[Path], object]) -> bytes:
         return path.read_bytes()
 
 
-def plate_picture(plate: Plate, shapes: Sequence[SharedShape], process: PrintProcess) -> bytes:
-    """A plate of the printer with what lies on it."""
+def plate_picture(
+    plate: Plate, shapes: Sequence[SharedShape], process: PrintProcess, marks: Mapping[str, str]
+) -> bytes:
+    """A plate of the printer with what lies on it, each part under its mark if it has one.
+
+    Args:
+        plate: the plate.
+        shapes: facets of its parts.
+        process: its build volume is the size of the plate.
+        marks: letters of :func:`part_marks`, by the name of the part.
+    """
     width, depth, _ = process.build_volume
     facets = {shape.names[0]: shape.facets for shape in shapes}
 
@@ -59,6 +72,9 @@ def plate_picture(plate: Plate, shapes: Sequence[SharedShape], process: PrintPro
             mesh = pv.PolyData.from_regular_faces(facets[name].vertices, facets[name].triangles)
             copies = pv.merge([mesh.transform(place, inplace=False) for place in places])
             plotter.add_mesh(copies, color=LOOKS["shell"][0], split_sharp_edges=True, smooth_shading=True)
+            if name in marks:
+                tops = [_over(mesh.transform(place, inplace=False)) for place in places]
+                draw_labels(plotter, tops, [marks[name]] * len(tops), _LETTER)
         aim(plotter, (0.0, -0.5, 1.0))
         save_picture(plotter, path)
 
@@ -83,14 +99,15 @@ def parts_picture(model: ArrayModel) -> bytes:
         step = 1.6 * max(max(box.xlen, box.ylen) for box in boxes)
         for number, (name, box) in enumerate(zip(names, boxes, strict=True)):
             row, column = divmod(number, _A_ROW)
-            middle = np.array([column * step, -1.3 * row * step, 0.0])
+            middle = np.array([column * step, -_ROW_APART * row * step, 0.0])
             centre = np.array([box.xmin + box.xmax, box.ymin + box.ymax, 2 * box.zmin]) / 2
             mesh = polydata(parts[name].val()).translate(middle - centre)
-            colour = LOOKS[parts.kinds[name]][0] if parts.kinds[name] in LOOKS else LOOKS["shell"][0]
-            plotter.add_mesh(mesh, color=colour, split_sharp_edges=True, smooth_shading=True)
+            # Shells are drawn as glass, because they differ only in the ports within their walls.
+            colour, opacity = LOOKS.get(parts.kinds[name], LOOKS["shell"])
+            plotter.add_mesh(mesh, color=colour, opacity=opacity, split_sharp_edges=True, smooth_shading=True)
             anchor = (float(middle[0]), float(middle[1]) - 0.62 * step, 0.0)
             draw_labels(plotter, [anchor], [f"{marks[name]}: {parts.counts[name]} x"], 22, ("center", "top"))
-        aim(plotter, _FROM_ABOVE, left=0.12, right=0.12)
+        aim(plotter, _STEEPLY, left=0.12, right=0.12)
         save_picture(plotter, path)
 
     return _png(draw)
@@ -221,5 +238,12 @@ def _placed(model: ArrayModel, name: str, matrix: Array) -> pv.PolyData:
 
 
 def _above(mesh: pv.PolyData) -> tuple[float, float, float]:
+    """Place above the middle of a mesh."""
+    x, y, top = _over(mesh)
+    return x, y, top + 0.4
+
+
+def _over(mesh: pv.PolyData) -> tuple[float, float, float]:
+    """Middle of the top of a mesh."""
     x, y, _ = mesh.center
-    return float(x), float(y), float(mesh.bounds[5]) + 0.4
+    return float(x), float(y), float(mesh.bounds[5])

@@ -44,6 +44,18 @@ def test_the_water_falls_as_stated() -> None:
     assert test.pressure == pytest.approx(9.81 * test.water)
 
 
+def test_the_water_falls_more_slowly_beside_more_points() -> None:
+    """The leak empties gauge and points together: integrated step by step, with the points' own compliance."""
+    (test,) = leak_tests(DESIGN)
+    points, gauge = 64, math.pi / 4 * GAUGE_BORE**2 / 9810 / 2
+    pressure, steps = test.pressure, 30_000
+    for _ in range(steps):
+        pressure -= test.largest_conductance * pressure / (gauge + points * test.cell) * WATCHED / steps
+    assert float(test.fall_of(points)) == pytest.approx((test.pressure - pressure) / 9.81, abs=0.6)
+    assert float(test.fall_of(points)) < float(test.fall)
+    assert test.fall_of(1) == test.fall
+
+
 @pytest.mark.slow
 def test_every_kind_of_point_has_its_test() -> None:
     graded = geometry.load_design("docs/examples/graded-line-36.toml")

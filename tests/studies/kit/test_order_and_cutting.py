@@ -154,9 +154,28 @@ def test_springs_and_sheaths_are_ordered_by_sizes_that_their_makers_need(
     assert rows["inside diameter"] == f"{model.design.tube.inner_diameter:g} mm"
     assert rows["pitch"].startswith("0.08 mm")
     assert rows["check on arrival"].startswith("125 turns on 10 mm")
+    ordered, needed, spare = (float(value) for value in re.findall(r"(\d+) mm", rows["length in all"]))
+    assert needed + spare == pytest.approx(ordered, abs=1)
+    assert needed == pytest.approx(sum(cut.count * (cut.spring_length + 0.5) for cut in cuts), abs=0.5)
+    assert "makers below" not in page  # the page has no name of a maker
     assert "bore 0.9 mm" in page.partition("Sheath 1")[2]
     assert "over a spring of 0.6 mm, 0.9 mm outside" in page
     assert "order-tubes.txt" in items["spring 0.6 mm, wire 0.08 mm"].note
+
+
+def test_each_sheath_says_how_it_comes_onto_its_spring() -> None:
+    """The large area has a tubing, which does not shrink, and a sleeve, which does."""
+    design = geometry.prototype("large-area-64")
+    layout, parts = lay_out(design), geometry.build_parts(design)
+    bill = bill_of_materials(design, parts, layout)
+    lines = order_list(design, bill, (), process_of(design.printing), ())
+    tubing, sleeve = sheath_orders(design, layout, lines)
+    assert tubing.fitting.startswith("PTFE tubing 0.711 x 1.011 mm does not shrink: slide the spring of 0.7 mm")
+    assert dict(tubing.rows())["form"] == "tubing of plain wall, which does not shrink"
+    assert dict(tubing.rows())["as supplied"] == "bore 0.711 mm, 1.011 mm outside"
+    assert "bore 0.9 mm as supplied and 0.4 mm shrunk freely" in sleeve.fitting
+    assert "over the spring of 0.8 mm" in sleeve.fitting
+    assert "tight and is 1.1 mm outside" in sleeve.fitting
 
 
 def test_numbered_parts_of_a_maker_are_on_no_page_to_ask_makers(tmp_path: Path) -> None:
