@@ -32,7 +32,7 @@ def logger_needs(levels: ExpectedLevels, microphones: int) -> str:
 
 
 def needs_conversion(levels: ExpectedLevels) -> bool:
-    """True if the most suitable logger is no sound card, so that its tables become recordings first."""
+    """True if the most suitable logger is not a sound card, so that its tables become recordings first."""
     first = levels.loggers[0].logger if levels.loggers else None
     return first is not None and not first.sound_card
 
@@ -53,13 +53,13 @@ def told_apart_words(signals: Sequence[ExpectedSignal]) -> str:
     close = [signal for signal in signals if signal.difference < READABLE]
     if not close:
         return "Every point is louder at the microphone that the table names."
-    equal = f"{counted(len(close), 'point')} with a smaller difference: both microphones show the level, equal within"
     if len(close) == len(signals):
         return (
-            f"No point differs by {READABLE:g} dB, so either microphone may be the louder one. Both show equal levels, "
-            f"within {READABLE:g} dB and the spread. The commands also compare all other frequencies."
+            f"No point differs by {READABLE:g} dB, so either microphone may be the louder one. Both are equally loud, "
+            f"within {READABLE:g} dB and the spread. The commands also compare other frequencies."
         )
     return (
         f"Every point whose difference is {READABLE:g} dB or more is louder at the microphone that the table names. "
-        f"{equal} {READABLE:g} dB and the spread."
+        f"At {counted(len(close), 'point')} with a smaller difference both microphones are equally loud, within "
+        f"{READABLE:g} dB and the spread."
     )

@@ -51,7 +51,10 @@ _STEPS: tuple[_Tools, ...] = (
     _Tools(("tweezers", "scalpel", "printed template"), ("heat gun",)),
     _Tools(("syringe", "blunt needle", "tweezers", "glue of membrane joints")),
     _Tools(("syringe", "tee", "hose", "blunt needle", "modelling clay", "ruler", "soapy water", "loupe")),
-    _Tools(("glue of tube joints", "tweezers", "flat plate", "tape"), ("primer",)),
+    _Tools(
+        ("glue of tube joints", "tweezers", "flat plate", "tape", "clearing wire", "modelling clay", "soapy water"),
+        ("primer",),
+    ),
     _Tools(("hot air", "solder paste", "soldering iron", "tweezers", "loupe", "multimeter", "soft file")),
     _Tools(("soldering iron", "tweezers"), ("glue of board joints", "gasket")),
     _Tools(("computer", "scale"), ("data logger", "controller")),

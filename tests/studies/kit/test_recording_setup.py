@@ -56,7 +56,7 @@ def test_a_logger_must_take_the_voltage_at_which_the_microphone_is_clipped() -> 
 def test_points_are_told_apart_as_far_as_their_levels_differ() -> None:
     far, near = (ExpectedSignal(1, "A", "B", 1.0, difference, 0.1, -0.5) for difference in (4.0, 0.4))
     assert told_apart_words([far, far]) == "Every point is louder at the microphone that the table names."
-    assert "1 point with a smaller difference" in told_apart_words([far, near])
+    assert "At 1 point with a smaller difference" in told_apart_words([far, near])
     assert told_apart_words([near, near]).startswith("No point differs by 1 dB")
     assert "the microphone" in told_apart_words([replace(near, softer="", difference=0.0)])
     # The tubes of the glove are so wide that no point differs by 1 dB at 10 Hz.
