@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, fields
 from types import ModuleType
-from typing import Any, cast
+from typing import Any, TypeVar, cast
 
 import numpy as np
 
@@ -230,6 +230,28 @@ class MediumParameters:
     def from_media(cls, media: Sequence[Medium]) -> MediumParameters:
         """The gases of one medium per design, as NumPy arrays."""
         return cls(**{f.name: np.array([getattr(medium, f.name) for medium in media]) for f in fields(Medium)})
+
+
+_Rows = TypeVar("_Rows", ArrayParameters, MediumParameters)
+
+
+def joined_rows(parts: Sequence[_Rows], counts: Sequence[int]) -> _Rows:
+    """Numbers of several batches in one, batch after batch, as NumPy arrays.
+
+    Args:
+        parts: the batches, with equal columns; one row stands for all designs of its batch.
+        counts: number of designs of each batch.
+    """
+    rows = {
+        name: np.concatenate(
+            [
+                np.broadcast_to(getattr(part, name), (count, *getattr(part, name).shape[1:]))
+                for part, count in zip(parts, counts, strict=True)
+            ]
+        )
+        for name in vars(parts[0])
+    }
+    return type(parts[0])(**rows)
 
 
 def check_parameters(parameters: ArrayParameters, topology: Topology) -> None:

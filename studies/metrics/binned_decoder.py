@@ -24,6 +24,8 @@ UNEXPLAINED = 0.005
 time. In bins it is estimated once, and 0.005 comes nearer to that on designs 1000 to 1039 of the benchmark."""
 _POWERS = 10 ** (np.arange(-20.0, 201.0, 4.0) / 10)
 """Powers of a touch over the assumed noise that are tried, by a mean over the bins."""
+_BLOCK = 4096
+"""Number of fits that are solved at once: what the processor keeps near."""
 
 
 @dataclass(frozen=True)
@@ -112,10 +114,12 @@ def scores(
     white, gain = white * np.sqrt(believed)[:, None, None], gain * believed[:, None]
     response = (hypotheses.response / np.sqrt(assumed)).reshape(-1, *frames.shape[1:])
     temperature = tolerant.temperature * tolerant.relative_temperature
-    score = _plain(white, response, gain, temperature)
+    products = _products(white)
+    score = _plain(products, _unit(response), gain / (1 + gain), temperature)
     order = np.argpartition(-score, min(options.candidates, score.shape[1] - 1), axis=1)[:, : options.candidates]
     shapes = hypotheses.shapes.reshape(len(response), options.shapes, *frames.shape[1:])
-    raised = _fitted(white, response, shapes, order, gain, temperature)
+    unexplained = 1 + UNEXPLAINED * products[:, : frames.shape[1]].sum((1, 2)) / white[0].size
+    raised = _fitted(products, response, shapes, order, gain / (unexplained[:, None] + gain), temperature)
     fitted = np.take_along_axis(score, order, 1) + raised
     # The others can be no better than the worst of these.
     score = np.minimum(score, fitted.min(1, keepdims=True))
@@ -144,7 +148,7 @@ def plain_scores(frames: ComplexArray, gain: Array, response: ComplexArray, nois
     options = DecoderOptions()
     root = np.sqrt(assumed_noise(noise, options))
     white, known = frames / root, response / root
-    return _plain(white, known, gain, options.temperature)
+    return _plain(_products(white), _unit(known), gain / (1 + gain), options.temperature)
 
 
 def expected_gain(frames: ComplexArray, response: ComplexArray, noise: Array) -> Array:
@@ -220,12 +224,15 @@ def _shapes(features: Array, ratio: ComplexArray, count: int) -> ComplexArray:
     return shapes
 
 
-def _plain(white: ComplexArray, response: ComplexArray, gain: Array, temperature: float) -> Array:
-    """Scores of hypotheses without deviations, (n, n_hypothesis) nats."""
-    unit = response / np.linalg.norm(response, axis=1, keepdims=True)
-    weight = gain / (1 + gain)
-    products = _products(white) * weight[:, None]
-    return products.reshape(len(white), -1) @ _weights(unit).reshape(len(unit), -1).T / temperature
+def _plain(products: Array, unit: ComplexArray, weight: Array, temperature: float) -> Array:
+    """Scores of hypotheses without deviations, (n, n_hypothesis) nats, from products of frames and unit vectors."""
+    weighed = (products * weight[:, None]).reshape(len(products), -1)
+    return weighed @ _weights(unit).reshape(len(unit), -1).T / temperature
+
+
+def _unit(response: ComplexArray) -> ComplexArray:
+    """Unit vectors along responses (n_hypothesis, n_microphone, n_bin)."""
+    return np.asarray(response / np.linalg.norm(response, axis=1, keepdims=True))
 
 
 def _products(white: ComplexArray) -> Array:
@@ -236,68 +243,94 @@ def _products(white: ComplexArray) -> Array:
 
 
 def _weights(unit: ComplexArray) -> Array:
-    """Weights of these products in the energy along unit vectors, (n_hypothesis, n_product, n_bin) float32."""
-    first, second = np.triu_indices(unit.shape[1], 1)
-    pairs = 2 * unit[:, first].conj() * unit[:, second]
-    return np.concatenate([unit.real**2 + unit.imag**2, pairs.real, -pairs.imag], 1)
+    """Weights of these products in the energy along unit vectors, (..., n_product, n_bin) float64."""
+    return _bilinear(unit, unit)
+
+
+def _bilinear(first: ComplexArray, second: ComplexArray) -> Array:
+    """Weights of the products of x in Re(a^H x x^H b), a and b (..., n_microphone, n_bin), bin by bin."""
+    outer = first[..., :, None, :].conj() * second[..., None, :, :]
+    row, column = np.triu_indices(first.shape[-2], 1)
+    above, below = outer[..., row, column, :], outer[..., column, row, :]
+    squares = np.arange(first.shape[-2])
+    own = outer[..., squares, squares, :].real
+    return np.concatenate([own, above.real + below.real, below.imag - above.imag], axis=-2)
 
 
 def _fitted(
-    white: ComplexArray,
+    products: Array,
     response: ComplexArray,
     shapes: ComplexArray,
     order: NDArray[np.int64],
-    gain: Array,
+    weight: Array,
     temperature: float,
 ) -> Array:
     """Gains of scores by the deviations of hypotheses.
 
+    The source of a frame is estimated from the hypothesis, so that slope and curvature by the amplitudes of the shapes
+    are linear in the products of the microphones, and those of all frames of a hypothesis are two products of matrices.
+
     Args:
-        white: frames, (n, n_microphone, n_bin) complex64.
-        response: of the hypotheses where noise is white, (n_hypothesis, n_microphone, n_bin) complex64.
-        shapes: (n_hypothesis, n_shape, n_microphone, n_bin) complex64.
+        products: products of the microphones of each frame, as :func:`_products`.
+        response: of the hypotheses where noise is white, (n_hypothesis, n_microphone, n_bin).
+        shapes: (n_hypothesis, n_shape, n_microphone, n_bin).
         order: numbers of the hypotheses that are fitted to each frame, (n, n_candidate).
-        gain: expected signal of each frame over the noise, (n, n_bin).
+        weight: expected signal of each frame over that and all noise, (n, n_bin).
         temperature: divisor of log-likelihoods.
 
     Returns:
         (n, n_candidate) float64, nats.
     """
-    count, _, bins = shapes.shape[1:]
-    size = (response.real**2 + response.imag**2).sum(1)
-    unit = response / np.sqrt(size)[:, None]
-    unexplained = 1 + UNEXPLAINED * (white.real**2 + white.imag**2).mean((1, 2))[:, None]
-    weight = gain / (unexplained + gain)
+    count, values = shapes.shape[1], products[0].size
+    once = products * (weight * (2 / temperature))[:, None]
+    both = np.concatenate([once, once * weight[:, None]], 1).reshape(len(products), -1)
+    size = (response.real**2 + response.imag**2).sum(1)[:, None]
+    unit = response / np.sqrt(size)
+    change = response[:, None] * shapes
+    change = change - unit[:, None] * (unit[:, None].conj() * change).sum(2, keepdims=True)
+    slopes = _bilinear(change, (unit / np.sqrt(size))[:, None]).reshape(len(unit), count, values)
+    power = _weights(unit) / size
+    first, second = np.tril_indices(count)
+    alike = (change[:, first].conj() * change[:, second]).sum(2).real
+    bends = (alike[:, :, None] * power[:, None]).reshape(len(unit), len(first), values)
     flat = order.ravel()
-    sorted_pairs = np.argsort(flat, kind="stable")
-    numbers, starts = np.unique(flat[sorted_pairs], return_index=True)
-    frame_of = sorted_pairs // order.shape[1]
-    slope = np.empty((len(flat), count))
-    bend = np.empty((len(flat), count * count))
+    pairs = np.argsort(flat, kind="stable")
+    numbers, starts = np.unique(flat[pairs], return_index=True)
+    frame_of = pairs // order.shape[1]
+    slope, bend = np.empty((count, len(flat))), np.empty((len(first), len(flat)))
     for number, start, end in zip(numbers, starts, [*starts[1:], len(flat)], strict=True):
-        own = frame_of[start:end]
-        x, h = white[own], unit[number]
-        source = (x * h.conj()).sum(1) * (weight[own] / np.sqrt(size[number]))
-        change = response[number] * shapes[number]
-        change = change - h * (h.conj() * change).sum(1, keepdims=True)
-        both = np.ascontiguousarray(change.reshape(count, -1)).view(np.float64)
-        seen = (x * source.conj()[:, None]).reshape(len(own), -1).view(np.float64)
-        slope[start:end] = seen @ both.T
-        turned = np.ascontiguousarray(change.transpose(2, 0, 1)).view(np.float64)
-        product = (turned @ turned.swapaxes(1, 2)).reshape(bins, -1)
-        bend[start:end] = (source.real**2 + source.imag**2) @ product
+        own = both[frame_of[start:end]].T
+        np.matmul(slopes[number], own[:values], out=slope[:, start:end])
+        np.matmul(bends[number], own[values:], out=bend[:, start:end])
     found = np.empty(len(flat))
-    found[sorted_pairs] = _gaussian_gain(slope * (2 / temperature), bend.reshape(-1, count, count) * (2 / temperature))
+    found[pairs] = np.concatenate(
+        [_gaussian_gain(slope[:, k : k + _BLOCK], bend[:, k : k + _BLOCK]) for k in range(0, len(flat), _BLOCK)]
+    )
     return found.reshape(order.shape)
 
 
 def _gaussian_gain(slope: Array, bend: Array) -> Array:
-    """b^T (1 + F)^-1 b / 2 - log det(1 + F) / 2 of many b, (n, k), and F, (n, k, k): one Cholesky factor of both."""
-    count = slope.shape[1]
-    whole = np.empty((len(slope), count + 1, count + 1))
-    whole[:, :count, :count] = bend + np.eye(count)
-    whole[:, count, :count] = whole[:, :count, count] = slope
-    whole[:, count, count] = (slope.astype(np.float64) ** 2).sum(1) + 1.0
-    factor = np.linalg.cholesky(whole)
-    diagonal = np.diagonal(factor, axis1=1, axis2=2)[:, :count]
-    return np.asarray(0.5 * (factor[:, count, :count] ** 2).sum(1) - np.log(diagonal).sum(1))
+    """b^T (1 + F)^-1 b / 2 - log det(1 + F) / 2 of many b and F by elimination, row by row of all at once.
+
+    Args:
+        slope: b, (k, n).
+        bend: lower triangle of F, (k (k + 1) / 2, n), row after row.
+
+    Returns:
+        (n,) float64.
+    """
+    count = len(slope)
+    left, row = slope.copy(), bend.copy()
+    place = np.cumsum(np.arange(count))  # of the first value of each row
+    gain, determinant = np.zeros(slope.shape[1]), np.ones(slope.shape[1])
+    for pivot in range(count):
+        held = row[place[pivot] + pivot] + 1
+        determinant *= held
+        inverse = 1 / held
+        gain += left[pivot] ** 2 * inverse
+        below = row[place[pivot + 1 :] + pivot]
+        factor = below * inverse
+        left[pivot + 1 :] -= factor * left[pivot]
+        for step, number in enumerate(range(pivot + 1, count)):
+            row[place[number] + pivot + 1 : place[number] + number + 1] -= factor[step] * below[: step + 1]
+    return 0.5 * (gain - np.log(determinant))

@@ -34,7 +34,7 @@ from geometry.ground.typed import Array, ComplexArray
 from localize.signals.noise_model import NoiseSpectrum
 from localize.signals.stimulus import BAND
 from studies.metrics.batch_responses import shape_error
-from studies.metrics.filtered_touches import Listener, noise_of_filters, standard_noise, touch_filter
+from studies.metrics.filtered_touches import Listener, TouchFilter, noise_of_filters, standard_noise, touch_filter
 
 POWERS = 10.0 ** np.arange(-4.0, 2.1)
 """Values of g that are tried."""
@@ -68,6 +68,7 @@ def predict_confusion(
     listener: Listener = "network",
     assumed: ArrayLike | None = None,
     touches: int = 64,
+    parts: int = 1,
     seed: int = 0,
 ) -> PredictedConfusion:
     """Confusion of the points of many designs, each touched in the same ways.
@@ -81,6 +82,8 @@ def predict_confusion(
         assumed: (n, n_point, n_microphone, n_freq) complex, Pa/Pa, that the listener goes by; by default those of each
             sensor itself. Several are a scatter that the listener knows: likelihoods are averaged over them.
         touches: per point.
+        parts: number of parts into which the touches are divided. Each design is touched by one part, one after the
+            other.
         seed: of touches and noise.
 
     Raises:
@@ -88,7 +91,14 @@ def predict_confusion(
             band, an unknown listener, or noise that is not finite and above zero.
     """
     return predict_confusions(
-        transfer_function, frequency, [microphone_noise], listener=listener, assumed=assumed, touches=touches, seed=seed
+        transfer_function,
+        frequency,
+        [microphone_noise],
+        listener=listener,
+        assumed=assumed,
+        touches=touches,
+        parts=parts,
+        seed=seed,
     )[0]
 
 
@@ -100,6 +110,7 @@ def predict_confusions(
     listener: Listener = "network",
     assumed: ArrayLike | None = None,
     touches: int = 64,
+    parts: int = 1,
     seed: int = 0,
 ) -> tuple[PredictedConfusion, ...]:
     """Confusions under several noises, of the same touches, which are simulated once; arguments and errors as
@@ -107,38 +118,69 @@ def predict_confusions(
     """
     h, grid = np.asarray(transfer_function, np.complex128), frequencies(frequency)
     _check(h, grid, touches)
+    check_range("parts", parts, 1, touches, whole=True)
     designs, points, microphones, _ = h.shape
     powers = [noise_of_filters(noise, designs, listener) for noise in noises]
     touches_filtered = touch_filter(grid.tobytes(), listener, touches, seed)
     standard = standard_noise(points, microphones, listener, touches, seed)
     common = () if assumed is None else tuple(touches_filtered.covariance(_assumed(assumed, h)))
     shape = designs, points, points
-    found = [PredictedConfusion(np.zeros(shape), np.zeros(shape), touches) for _ in powers]
-    room = _Room(points, microphones, touches_filtered.shape)
+    each = touches // parts
+    found = [PredictedConfusion(np.zeros(shape), np.zeros(shape), each) for _ in powers]
+    for part in range(min(parts, designs)):
+        of_part = slice(part * each, (part + 1) * each)
+        filters, noise = touches_filtered.of(of_part), np.ascontiguousarray(standard[..., of_part])
+        _predict(h, slice(part, None, parts), filters, noise, powers, common, found)
+    for result in found:
+        result.confusion[:] /= each
+        result.pairwise[:] = (result.pairwise + result.pairwise.swapaxes(1, 2)) / (2 * each)
+    return tuple(found)
+
+
+def _predict(
+    h: ComplexArray,
+    chosen: slice,
+    touches: TouchFilter,
+    standard: Array,
+    powers: Sequence[Array],
+    common: tuple[ComplexArray, ...],
+    found: Sequence[PredictedConfusion],
+) -> None:
+    """Count touches of some designs.
+
+    Args:
+        h: transfer functions of all designs, (n_design, n_point, n_microphone, n_freq), Pa/Pa.
+        chosen: the designs that are touched.
+        touches: the touches.
+        standard: their noise of variance 1, as :meth:`_Room.noise` takes it.
+        powers: noises, (1 or n_design, n_filter) each.
+        common: covariances of the hypotheses of all designs; empty if each design is assumed to be itself.
+        found: results, written.
+    """
+    numbers = np.arange(len(h))[chosen]
+    points, microphones = h.shape[1:3]
+    room = _Room(points, microphones, touches.shape)
     weights: dict[tuple[int, int], list[Array]] = {}
-    for first in range(0, designs, room.designs):
-        part = slice(first, first + room.designs)
-        own = touches_filtered.covariance(h[part])[:, None] if assumed is None else ()
-        if assumed is None or max(map(len, powers)) > 1:
+    for first in range(0, len(numbers), room.designs):
+        part = numbers[first : first + room.designs]
+        own = () if common else touches.covariance(h[part])[:, None]
+        if not common or max(map(len, powers)) > 1:
             weights.clear()
         for start in range(0, points, room.points):
             touched = slice(start, start + room.points)
-            for number, frames in enumerate(
-                touches_filtered.frames(h[part, touched], room.frames_of(h[part, touched])), first
+            heard = h[part, touched]
+            for place, (number, frames) in enumerate(
+                zip(part, touches.frames(heard, room.frames_of(heard)), strict=True)
             ):
                 for level, (result, power) in enumerate(zip(found, powers, strict=True)):
                     noise = power[min(number, len(power) - 1)]
-                    key = level, number if assumed is None or len(power) > 1 else 0
+                    key = level, number if not common or len(power) > 1 else 0
                     if key not in weights:
-                        hypotheses = own[number - first] if assumed is None else common
+                        hypotheses = common or own[place]
                         weights[key] = [_weights(covariance, noise) for covariance in hypotheses]
                     observed = room.products(frames, room.noise(level, start, standard[touched], noise))
                     scores = reduce(np.logaddexp, (room.scores(observed, each) for each in weights[key]))
                     _count(scores, start, result.confusion[number, touched], result.pairwise[number, touched])
-    for result in found:
-        result.confusion[:] /= touches
-        result.pairwise[:] = (result.pairwise + result.pairwise.swapaxes(1, 2)) / (2 * touches)
-    return tuple(found)
 
 
 def _assumed(assumed: ArrayLike, h: ComplexArray) -> ComplexArray:

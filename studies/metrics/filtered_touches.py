@@ -8,6 +8,7 @@ per microphone (:mod:`studies.metrics.confusion`).
 from __future__ import annotations
 
 import math
+from copy import copy
 from functools import lru_cache
 from typing import Literal, get_args
 
@@ -103,6 +104,15 @@ class TouchFilter:
         density = SOURCE_RMS**2 / len(source) / 2
         at_once, mirrored = density * np.abs(forth) ** 2, density * np.abs(back) ** 2
         self._weight = at_once + mirrored, at_once - mirrored
+
+    def of(self, touches: slice) -> TouchFilter:
+        """The filter of some of the touches."""
+        matrix = self._matrix[..., touches]
+        if matrix.shape == self._matrix.shape:
+            return self
+        few = copy(self)
+        few._matrix, few.shape = np.ascontiguousarray(matrix), (*self.shape[:2], matrix.shape[-1])
+        return few
 
     def frames(self, h: ComplexArray, out: Array | None = None) -> Array:
         """Frames of the touches behind the filters, real and imaginary parts.

@@ -9,42 +9,31 @@ touched, and decided by the tolerance-aware decoder, as
 
 from __future__ import annotations
 
-import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
-from functools import lru_cache
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from acoustic_fem.batch.network import batch_response
-from acoustic_fem.library.touch_pressure import membranes_in_vacuo
-from acoustic_fem.membrane.design_discs import design_disc, design_rubber
-from acoustic_fem.membrane.disc import DiscResponse, KnownDiscs
+from acoustic_fem.membrane.disc import KnownDiscs
 from acoustic_fem.quantities.local_air import design_air
-from acoustic_fem.quantities.model_limit_warning import ModelLimitWarning
-from acoustic_fem.scatter.air_and_rubber import DrawnAirAndRubber
-from acoustic_fem.scatter.as_built_sensors import AsBuiltSensors
-from acoustic_fem.scatter.tolerances import UNCALIBRATED, ScatteredDesign, Tolerance
+from acoustic_fem.scatter.tolerances import UNCALIBRATED, Tolerance
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.argument_checks import check_range
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array, ComplexArray
-from geometry.schema.array_fields import Air
-from localize.decoders.decoder_options import HypothesisOptions
 from localize.signals.noise_model import microphone_noise
-from localize.signals.stimulus import SCALED_AT
+from studies.metrics.binned_arrays import BinnedArray, binned_arrays, drawn_sensors, to_bins
 from studies.metrics.binned_decoder import (
     BinnedHypotheses,
     BinnedOptions,
-    binned_hypotheses,
     expected_gain,
     plain_scores,
     scores,
 )
-from studies.metrics.touch_bins import BINS, COUNT, NODES, TOUCHES, Touch, from_nodes, noise_in_bins, touch_frames
+from studies.metrics.touch_bins import COUNT, NODES, TOUCHES, Touch, noise_in_bins, touch_frames
 
 DECODERS = {False: "tolerance-aware decoder, not calibrated", True: "Bayes decoder of each sensor's own library"}
 """Decoder that an accuracy is of, by whether the sensor is calibrated."""
@@ -52,8 +41,6 @@ CALIBRATION_ERROR = 0.01
 """Error of the transfer functions of a calibrated sensor's library, one standard deviation, nepers and radians."""
 FORCES = (1e-6, 100.0)
 """Least and largest force of a touch, N."""
-SILENT = 1e-9
-"""Transfer function below which a microphone detects nothing of a point, Pa/Pa."""
 LEAK_LEFT = 0.0075
 """Fraction, in amplitude, of what leaks into a bin of an as-built sensor from other frequencies and stays after the
 decoder takes the leak away.
@@ -70,8 +57,9 @@ SCATTER = {True: 0.19, False: 0.2}
 LEAST_SCATTER = 0.015
 """Half of the interval of a prediction of 0 or 1. It was widened from 0.01 because one of 41 designs of
 benchmarks/verdicts.py decoded 0.1 points below its interval."""
-_DRAWN: dict[tuple[Air, int], DrawnAirAndRubber] = {}
 _NOISE_SEED, _CALIBRATION_SEED = 1, 2
+_KEPT = 100_000_000
+"""Memory of the drawn sensors of a sweep's designs that are kept for more touches, bytes."""
 _SWEPT = BinnedOptions(draws=96, splits=2)
 """Half of the draws and of the hypotheses of :func:`as_built_accuracy`, because this takes two thirds of the time.
 Accuracies of the same sensors differ by 1 percentage point rms."""
@@ -166,7 +154,10 @@ def as_built_accuracy(
     if force is not None:
         check_range("force", force, *FORCES, "N")
     check_range("sensors", sensors, 4, 1000, whole=True)
-    right = _right_of_design(resolve_design(design), force, calibrated, sensors, _Chance(seed), known, tolerances)
+    plan, touches = _Plan(calibrated, sensors, tuple(tolerances), BinnedOptions()), SweptTouches(force, designed=True)
+    chance = _Chance(seed)
+    ((_, drawn),) = _drawn([resolve_design(design)], plan, chance, known)
+    right = _right_of_design(drawn, touches, plan, chance)
     found = [_accuracy(each, SCATTER[force is None]) for each in right]
     taps, presses, sines = found[::2]
     as_designed = NominalAccuracy(*found[1::2])
@@ -178,143 +169,132 @@ def as_built_accuracies(designs: Sequence[DesignLike], **options: Any) -> list[A
     return [as_built_accuracy(each, **options) for each in designs]
 
 
-def swept_accuracies(
-    designs: Sequence[ArrayDesign], *, sensors: int, known: KnownDiscs | None = None
-) -> Mapping[str, Array]:
-    """Mean accuracies of as-built sensors of the designs of a sweep for a run's touches, (n_design,) of each kind.
+@dataclass(frozen=True)
+class SweptTouches:
+    """Touches whose accuracy is asked for."""
 
-    This takes a third of the time of :func:`as_built_accuracy`, because the sensor as designed is left out and the
-    decoder is followed less finely. Accuracies of the same sensors differ by 1 percentage point rms.
+    force: float | None = None
+    """Peak force of taps and presses, N; None for the touches of a run."""
+    designed: bool = False
+    """True if the sensor as designed is touched too."""
+
+
+class SweptAccuracies:
+    """Mean accuracies of as-built sensors of the designs of a sweep.
+
+    They take a third of the time of :func:`as_built_accuracy`, because the decoder is followed less finely. Accuracies
+    of the same sensors differ by 1 percentage point rms.
 
     Args:
         designs: the arrays.
         sensors: number of as-built sensors of each.
         known: membranes that need not be solved.
-
-    Raises:
-        Refusal: as :func:`as_built_accuracy`.
     """
-    chance = _Chance(0)
-    rows = [
-        [each.mean() for each in _right_of_design(design, None, False, sensors, chance, known, swept=_SWEPT)]
-        for design in designs
-    ]
-    return dict(zip(TOUCHES, np.array(rows).T, strict=True))
+
+    def __init__(self, designs: Sequence[ArrayDesign], sensors: int, known: KnownDiscs | None = None) -> None:
+        self._designs, self._known = designs, known
+        self._plan, self._chance = _Plan(False, sensors, UNCALIBRATED, _SWEPT), _Chance(0)
+        self._kept: dict[int, _Drawn] = {}
+
+    def of(self, asked: Mapping[int, SweptTouches]) -> dict[int, Array]:
+        """Accuracies of some of the designs by their numbers.
+
+        Args:
+            asked: touches of each of them.
+
+        Returns:
+            By number the accuracies of each kind in the order of :data:`TOUCHES`, (n_kind,) float64, fractions; if the
+            sensor as designed is asked for, each is followed by that of this sensor.
+
+        Raises:
+            Refusal: as :func:`as_built_accuracy`.
+        """
+        found: dict[int, Array] = {}
+
+        def take(number: int, drawn: _Drawn) -> None:
+            right = _right_of_design(drawn, asked[number], self._plan, self._chance)
+            found[number] = np.array([each.mean() for each in right])
+
+        for number in asked:
+            if number in self._kept:
+                take(number, self._kept[number])
+        left = [number for number in asked if number not in self._kept]
+        for place, drawn in _drawn([self._designs[number] for number in left], self._plan, self._chance, self._known):
+            take(left[place], drawn)
+            if sum(each.size for each in self._kept.values()) < _KEPT:
+                self._kept[left[place]] = drawn
+        return found
 
 
-def _right_of_design(
-    design: ArrayDesign,
-    force: float | None,
-    calibrated: bool,
-    sensors: int,
-    chance: _Chance,
-    known: KnownDiscs | None,
-    tolerances: Sequence[Tolerance] = UNCALIBRATED,
-    swept: BinnedOptions | None = None,
-) -> list[NDArray[np.bool_]]:
+@dataclass(frozen=True)
+class _Plan:
+    """Sensors and decoder of a prediction."""
+
+    calibrated: bool
+    sensors: int
+    tolerances: tuple[Tolerance, ...]
+    options: BinnedOptions
+
+
+@dataclass(frozen=True, eq=False)
+class _Drawn:
+    """Sensors of a design in bins."""
+
+    array: BinnedArray
+    built: ComplexArray
+    """Transfer functions of as-built sensors, (n_sensor, n_point, n_microphone, n_bin), Pa/Pa."""
+    tables: BinnedHypotheses | None
+    """Hypotheses of the decoder; None if each sensor has a library of its own."""
+
+    @property
+    def size(self) -> int:
+        """Memory of the arrays, bytes."""
+        tables = 0 if self.tables is None else self.tables.response.nbytes + self.tables.shapes.nbytes
+        return self.built.nbytes + tables
+
+
+def _drawn(
+    designs: Sequence[ArrayDesign], plan: _Plan, chance: _Chance, known: KnownDiscs | None
+) -> Iterator[tuple[int, _Drawn]]:
+    """Numbers of designs, and their sensors."""
+    for design in designs:
+        for count, field in ((design.point_count, "lines.points"), (len(design.microphones), "microphones")):
+            if count < 2:
+                allowed = "at least 2, because one alone tells no points apart"
+                raise Refusal(kind=Kind.UNSUITABLE, field=field, value=count, allowed=allowed)
+    options = None if plan.calibrated else plan.options
+    rows = plan.sensors + (0 if options is None else options.draws)
+    for numbers, arrays in binned_arrays(designs, known, plan.tolerances, rows):
+        drawn = drawn_sensors(arrays, plan.sensors, chance.seed, options)
+        for number, array, (built, tables) in zip(numbers, arrays, drawn, strict=True):
+            yield number, _Drawn(array, built, tables)
+
+
+def _right_of_design(drawn: _Drawn, touches: SweptTouches, plan: _Plan, chance: _Chance) -> list[NDArray[np.bool_]]:
     """True for each touch that is assigned to its point, (n_sensor, n_point).
 
-    Kind by kind: those of as-built sensors, then those of the sensor as designed, which a sweep leaves out.
+    Kind by kind: those of as-built sensors, then those of the sensor as designed if it is asked for.
     """
-    for count, field in ((design.point_count, "lines.points"), (len(design.microphones), "microphones")):
-        if count < 2:
-            allowed = "at least 2, because one alone tells no points apart"
-            raise Refusal(kind=Kind.UNSUITABLE, field=field, value=count, allowed=allowed)
-    options = swept or BinnedOptions()
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", ModelLimitWarning)
-        array = _BinnedArray(design, known, tolerances)
-        built = array.built(sensors, chance.seed)
-        tables = None if calibrated else array.hypotheses(options)
-        cavity = array.cavity(force)
+    array, built, tables, force = drawn.array, drawn.built, drawn.tables, touches.force
+    design, cavity = array.design, array.cavity(force)
     noise = noise_in_bins(microphone_noise(design.microphone, design_air(design)))
-    again = max(1, min(sensors, NOMINAL_TOUCHES // design.point_count))
-    several = (built, np.repeat(array.nominal[None], again, 0)) if swept is None else (built,)
+    again = max(1, min(plan.sensors, NOMINAL_TOUCHES // design.point_count))
+    several = (built, np.repeat(array.nominal[None], again, 0)) if touches.designed else (built,)
     sets = [
         _touched(
             _frames(touch, cavity, force), of_sensors, array.nominal, noise, leak, chance.draw(kind, whose, of_sensors)
         )
         for kind, touch in enumerate(TOUCHES)
         for whose, of_sensors in enumerate(several)
-        for leak in [0.0 if whose or calibrated else LEAK_LEFT]
+        for leak in [0.0 if whose or plan.calibrated else LEAK_LEFT]
     ]
     if tables is None:
         libraries = _measured(np.concatenate([built, array.nominal[None]]), chance.seed)
-        right = [_right_by_library(each, libraries, noise, number % 2 == 1) for number, each in enumerate(sets)]
+        kinds = enumerate(sets)
+        right = [_right_by_library(each, libraries, noise, number % len(several) == 1) for number, each in kinds]
     else:
-        right = _right(sets, tables, noise, options)
+        right = _right(sets, tables, noise, plan.options)
     return [each.reshape(-1, design.point_count) for each in right]
-
-
-class _BinnedArray:
-    """Transfer functions of a design and of sensors about it in bins."""
-
-    def __init__(self, design: ArrayDesign, known: KnownDiscs | None, tolerances: Sequence[Tolerance]) -> None:
-        self._design, self._known, self._air = design, known, design_air(design)
-        self._unknown = ScatteredDesign(design, UNCALIBRATED, known)
-        alike = tuple(tolerances) == UNCALIBRATED
-        self._scattered = self._unknown if alike else ScatteredDesign(design, tolerances, known)
-        both = np.sort(np.concatenate([NODES, BINS]))
-        self._response = batch_response(self._scattered.nominal, self._scattered.topology, both, self._air)
-        self._at_nodes = np.searchsorted(both, NODES)
-        found = _floored(np.asarray(self._response.transfer_function[0]))
-        self.nominal: ComplexArray = found[..., np.searchsorted(both, BINS)]
-        """Transfer functions of the design, (n_point, n_microphone, n_bin), Pa/Pa."""
-        self._on_nodes = found[..., self._at_nodes]
-
-    def built(self, count: int, seed: int) -> ComplexArray:
-        """Transfer functions of as-built sensors, (count, n_point, n_microphone, n_bin), Pa/Pa."""
-        factors = self._factors(self._scattered, count, seed, None)
-        return np.asarray(self.nominal * np.exp(factors @ _to_bins()))
-
-    def hypotheses(self, options: BinnedOptions) -> BinnedHypotheses:
-        """Hypotheses of the decoder."""
-        assumed = HypothesisOptions()
-        drawn = _air_and_rubber(self._design, options.draws)
-        factors = self._factors(self._unknown, options.draws, assumed.seed, drawn)
-        return binned_hypotheses(self.nominal, factors, np.abs(self._on_nodes), _to_bins(), options)
-
-    def cavity(self, force: float | None) -> tuple[ComplexArray, ComplexArray]:
-        """Pressures in the cavities per stroke: at the nodes, and of each point over that in bins.
-
-        (n_node,), and (n_point, n_bin); Pa/N with a force, otherwise over the value at 30 Hz.
-        """
-        design = self._design
-
-        def of_kind(alike: ArrayDesign) -> DiscResponse:
-            return design_disc(alike, known=self._known).response(NODES, design_rubber(alike))
-
-        flow = 2j * np.pi * NODES * membranes_in_vacuo(design, of_kind).volume_per_force
-        per_force = flow * np.asarray(self._response.point_impedance[0])[:, self._at_nodes]
-        level = np.log(np.abs(per_force)) + 1j * np.unwrap(np.angle(per_force))
-        if force is None:
-            level = level - (level.real @ from_nodes(np.array([SCALED_AT])))
-        mean = level.mean(0)
-        return np.exp(mean), np.exp((level - mean) @ _to_bins())
-
-    def _factors(
-        self, scattered: ScatteredDesign, count: int, seed: int, drawn: DrawnAirAndRubber | None
-    ) -> ComplexArray:
-        """Logarithms of the factors of sensors, (count, n_point, n_microphone, n_node) complex64."""
-        sensors = AsBuiltSensors(scattered, NODES, self._air)
-        ratio = _floored(sensors.transfer_functions(scattered.draws(0, count, seed), drawn)) / self._on_nodes
-        return np.asarray(np.log(np.abs(ratio)) + 1j * np.unwrap(np.angle(ratio)), np.complex64)
-
-
-def _air_and_rubber(design: ArrayDesign, count: int) -> DrawnAirAndRubber | None:
-    """Air and rubber that the decoder assumes of its draws; kept, because designs of a batch share their air."""
-    assumed, key = HypothesisOptions(), (design.air, count)
-    if assumed.air_and_rubber is None:
-        return None
-    if key not in _DRAWN:
-        _DRAWN.clear()
-        _DRAWN[key] = assumed.air_and_rubber.draws(0, count, assumed.seed, design, design_air(design))
-    return _DRAWN[key]
-
-
-def _floored(response: ComplexArray) -> ComplexArray:
-    """Transfer functions of at least :data:`SILENT`: below, rounding would be all that distinguishes sensors."""
-    return np.where(np.abs(response) < SILENT, SILENT, response)
 
 
 @dataclass(frozen=True, eq=False)
@@ -400,7 +380,7 @@ def _measured(sensors: ComplexArray, seed: int) -> ComplexArray:
     """Libraries of calibrated sensors, right to :data:`CALIBRATION_ERROR`; errors are smooth over frequency."""
     random = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(_CALIBRATION_SEED,)))
     error = random.standard_normal((2, *sensors.shape[:3], len(NODES))) * CALIBRATION_ERROR / np.sqrt(2)
-    return np.asarray(sensors * np.exp((error[0] + 1j * error[1]) @ _to_bins()))
+    return np.asarray(sensors * np.exp((error[0] + 1j * error[1]) @ to_bins()))
 
 
 def _right_by_library(touches: _Touches, libraries: ComplexArray, noise: Array, is_nominal: bool) -> NDArray[np.bool_]:
@@ -423,9 +403,3 @@ def _accuracy(right: NDArray[np.bool_], scatter: float) -> TouchAccuracy:
     worst = mean + float(own) * (float(np.percentile(of_sensors, 5)) - mean)
     half = LEAST_SCATTER + scatter * float(np.sqrt(mean * (1 - mean)))
     return TouchAccuracy(mean, worst, max(0.0, mean - half), min(1.0, mean + half), right.mean(0))
-
-
-@lru_cache(maxsize=1)
-def _to_bins() -> Array:
-    """Matrix from values at the nodes to those in bins, (n_node, n_bin)."""
-    return from_nodes(BINS)

@@ -19,6 +19,7 @@ from studies.metrics.touch_metrics import in_vacuo, touch_response
 
 if TYPE_CHECKING:
     from acoustic_fem.membrane.disc import DiscResponse  # loads its finite elements
+    from studies.metrics.predicted_accuracy import SweptAccuracies
 
 
 SWEPT_SENSORS = 24
@@ -85,10 +86,20 @@ class SharedFigures:
 
     @cached_property
     def _as_built_accuracies(self) -> Mapping[str, Array]:
-        from studies.metrics.predicted_accuracy import swept_accuracies  # needs torch, without which verbs print help
+        from studies.metrics.predicted_accuracy import SweptTouches  # needs torch, without which verbs print help
+        from studies.metrics.touch_bins import TOUCHES
+
+        designs = range(len(required(self.responses.designs)))
+        found = self.swept.of(dict.fromkeys(designs, SweptTouches()))
+        return dict(zip(TOUCHES, np.array([found[number] for number in designs]).T, strict=True))
+
+    @cached_property
+    def swept(self) -> SweptAccuracies:
+        """Accuracies of as-built sensors of the designs; those of several kinds of touches are of the same sensors."""
+        from studies.metrics.predicted_accuracy import SweptAccuracies
 
         own = self.responses
-        return swept_accuracies(required(own.designs), sensors=SWEPT_SENSORS, known=own.discs)
+        return SweptAccuracies(required(own.designs), SWEPT_SENSORS, own.discs)
 
     @cached_property
     def sizes(self) -> Array:

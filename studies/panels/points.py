@@ -15,8 +15,9 @@ from geometry.layout.remedies import fix_for
 from localize.signals.stimulus import BAND
 from studies.comparison.own_figures import MOST_POINTS, metric_figures
 from studies.metrics.batch_responses import Responses
+from studies.metrics.binned_arrays import SILENT
 from studies.metrics.covered_area import point_coverage
-from studies.metrics.predicted_accuracy import SILENT, as_built_accuracy
+from studies.metrics.predicted_accuracy import as_built_accuracy
 from studies.metrics.separation import separability
 from studies.metrics.shared import SharedFigures
 from studies.output.frequencies import FREQUENCIES

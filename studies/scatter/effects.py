@@ -202,6 +202,7 @@ def scattered_accuracy(
     seed: int = 0,
     known: KnownDiscs | None = None,
     fidelity: str = "lumped",
+    parts: int = 1,
 ) -> Array:
     """Predicted top-1 of sensors with manufacturing scatter and one localizer, trained on the nominal design.
 
@@ -217,6 +218,7 @@ def scattered_accuracy(
         seed: seed of the draws.
         known: membranes that need not be solved.
         fidelity: of all transfer functions.
+        parts: number of parts into which the touches are divided; each sensor is touched by one of them.
 
     Returns:
         (sensors,) float64, 0 to 1.
@@ -226,7 +228,7 @@ def scattered_accuracy(
     """
     design = resolve_design(design)
     scattered, grid = ScatteredDesign(design, tolerances, known), frequency_grid(frequency)
-    return _accuracy(scattered, grid, sensors, _noise(design, microphone_noise), seed, fidelity)
+    return _accuracy(scattered, grid, sensors, _noise(design, microphone_noise), seed, fidelity, parts)
 
 
 def _accuracy(
@@ -236,10 +238,11 @@ def _accuracy(
     noise: float | NoiseSpectrum,
     seed: int,
     fidelity: str,
+    parts: int = 1,
 ) -> Array:
     drawn = AsBuiltSensors(scattered, grid, design_air(scattered.design), fidelity)
     h = drawn.transfer_functions(scattered.draws(0, sensors, seed))
-    return predict_confusion(h, grid, noise, assumed=drawn.nominal).top1
+    return predict_confusion(h, grid, noise, assumed=drawn.nominal, parts=parts).top1
 
 
 def deviation(transfer_function: ComplexArray, nominal: ComplexArray) -> Array:

@@ -46,7 +46,8 @@ def accuracies(designs: Sequence[ArrayDesign], known: KnownDiscs | None = None) 
     return [_of_design(design, known) for design in designs]
 
 
-def _of_design(design: ArrayDesign, known: KnownDiscs | None) -> Accuracies | str:
+def unknown_accuracy(design: ArrayDesign) -> str | None:
+    """Reason why the accuracies of a design are not known; empty for a design of one point, None if they are known."""
     points = design.point_count
     if points < 2:
         return ""
@@ -56,12 +57,24 @@ def _of_design(design: ArrayDesign, known: KnownDiscs | None) -> Accuracies | st
         return "its cavities or membranes have no closed form"
     if not is_installed("train"):
         return "torch is missing"
+    return None
+
+
+def tap_force(design: ArrayDesign) -> float:
+    """Peak force of the taps and presses whose accuracies are judged, N."""
+    return float(covered_forces(design).min())
+
+
+def _of_design(design: ArrayDesign, known: KnownDiscs | None) -> Accuracies | str:
+    unknown = unknown_accuracy(design)
+    if unknown is not None:
+        return unknown
     from studies.metrics.predicted_accuracy import as_built_accuracy  # needs torch, without which verbs print help
 
+    points = design.point_count
     sensors = max(_LEAST_SENSORS, min(SENSORS, round(SENSORS * (SENSORS_UP_TO / points) ** 2)))
-    force = float(covered_forces(design).min())
     try:
-        found = as_built_accuracy(design, force=force, sensors=sensors, known=known)
+        found = as_built_accuracy(design, force=tap_force(design), sensors=sensors, known=known)
     except Refusal as error:
         return str(error)
     of = {name: name.replace("-", "_") for name in TOUCHES}

@@ -15,6 +15,7 @@ from geometry.ground.typed import Array
 from geometry.layout.arrangement import lay_out, point_axes
 from geometry.layout.overlaps import overlaps
 from geometry.layout.size import array_size
+from geometry.layout.straight_rows import is_wide_apart
 from geometry.printing.print_rules import Finding
 from geometry.schema.print_processes import Rule, process_of
 from geometry.stock import catalogue
@@ -35,7 +36,7 @@ edge that cannot move (Timoshenko and Woinowsky-Krieger 1959, article 97, table 
 
 def buildable(design: ArrayDesign, misfits: Sequence[str] = ()) -> Measured:
     """Number of things that keep the array from being put together; ``misfits`` are those of the drawn parts."""
-    found = overlaps(design, lay_out(design)) or tuple(misfits)
+    found = (() if is_wide_apart(design) else overlaps(design, lay_out(design))) or tuple(misfits)
     if not found:
         return Measured(0.0, "the array can be put together")
     more = f" and {len(found) - 1} more" if len(found) > 1 else ""
