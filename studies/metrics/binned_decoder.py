@@ -298,8 +298,10 @@ def _fitted(
     numbers, starts = np.unique(flat[pairs], return_index=True)
     frame_of = pairs // order.shape[1]
     slope, bend = np.empty((count, len(flat))), np.empty((len(first), len(flat)))
-    for number, start, end in zip(numbers, starts, [*starts[1:], len(flat)], strict=True):
-        own = both[frame_of[start:end]].T
+    ends = [*starts[1:], len(flat)]
+    room = np.empty((max(np.subtract(ends, starts)), 2 * values))  # fresh memory would cost more than the products
+    for number, start, end in zip(numbers, starts, ends, strict=True):
+        own = np.take(both, frame_of[start:end], axis=0, out=room[: end - start], mode="clip").T
         np.matmul(slopes[number], own[:values], out=slope[:, start:end])
         np.matmul(bends[number], own[values:], out=bend[:, start:end])
     found = np.empty(len(flat))
