@@ -26,6 +26,8 @@ _POWERS = 10 ** (np.arange(-20.0, 201.0, 4.0) / 10)
 """Powers of a touch over the assumed noise that are tried, by a mean over the bins."""
 _BLOCK = 4096
 """Number of fits that are solved at once: what the processor keeps near."""
+_VALUES = 200_000
+"""Number of products of microphones that are weighed at once."""
 
 
 @dataclass(frozen=True)
@@ -114,12 +116,11 @@ def scores(
     white, gain = white * np.sqrt(believed)[:, None, None], gain * believed[:, None]
     response = (hypotheses.response / np.sqrt(assumed)).reshape(-1, *frames.shape[1:])
     temperature = tolerant.temperature * tolerant.relative_temperature
-    products = _products(white)
-    score = _plain(products, _unit(response), gain / (1 + gain), temperature)
+    score = _plain(white, response, gain, temperature)
     order = np.argpartition(-score, min(options.candidates, score.shape[1] - 1), axis=1)[:, : options.candidates]
     shapes = hypotheses.shapes.reshape(len(response), options.shapes, *frames.shape[1:])
-    unexplained = 1 + UNEXPLAINED * products[:, : frames.shape[1]].sum((1, 2)) / white[0].size
-    raised = _fitted(products, response, shapes, order, gain / (unexplained[:, None] + gain), temperature)
+    unexplained = 1 + UNEXPLAINED * (white.real**2 + white.imag**2).mean((1, 2))
+    raised = _fitted(white, response, shapes, order, gain / (unexplained[:, None] + gain), temperature)
     fitted = np.take_along_axis(score, order, 1) + raised
     # The others can be no better than the worst of these.
     score = np.minimum(score, fitted.min(1, keepdims=True))
@@ -148,7 +149,7 @@ def plain_scores(frames: ComplexArray, gain: Array, response: ComplexArray, nois
     options = DecoderOptions()
     root = np.sqrt(assumed_noise(noise, options))
     white, known = frames / root, response / root
-    return _plain(_products(white), _unit(known), gain / (1 + gain), options.temperature)
+    return _plain(white, known, gain, options.temperature)
 
 
 def expected_gain(frames: ComplexArray, response: ComplexArray, noise: Array) -> Array:
@@ -224,15 +225,18 @@ def _shapes(features: Array, ratio: ComplexArray, count: int) -> ComplexArray:
     return shapes
 
 
-def _plain(products: Array, unit: ComplexArray, weight: Array, temperature: float) -> Array:
-    """Scores of hypotheses without deviations, (n, n_hypothesis) nats, from products of frames and unit vectors."""
-    weighed = (products * weight[:, None]).reshape(len(products), -1)
-    return weighed @ _weights(unit).reshape(len(unit), -1).T / temperature
-
-
-def _unit(response: ComplexArray) -> ComplexArray:
-    """Unit vectors along responses (n_hypothesis, n_microphone, n_bin)."""
-    return np.asarray(response / np.linalg.norm(response, axis=1, keepdims=True))
+def _plain(white: ComplexArray, response: ComplexArray, gain: Array, temperature: float) -> Array:
+    """Scores of hypotheses without deviations, (n, n_hypothesis) nats."""
+    unit = response / np.linalg.norm(response, axis=1, keepdims=True)
+    towards = _weights(unit).reshape(len(unit), -1).T / temperature
+    weight = gain / (1 + gain)
+    score = np.empty((len(white), len(unit)))
+    step = max(1, _VALUES // len(towards))
+    for first in range(0, len(white), step):
+        own = slice(first, first + step)
+        products = _products(white[own]) * weight[own, None]
+        np.matmul(products.reshape(len(products), -1), towards, out=score[own])
+    return score
 
 
 def _products(white: ComplexArray) -> Array:
@@ -243,22 +247,14 @@ def _products(white: ComplexArray) -> Array:
 
 
 def _weights(unit: ComplexArray) -> Array:
-    """Weights of these products in the energy along unit vectors, (..., n_product, n_bin) float64."""
-    return _bilinear(unit, unit)
-
-
-def _bilinear(first: ComplexArray, second: ComplexArray) -> Array:
-    """Weights of the products of x in Re(a^H x x^H b), a and b (..., n_microphone, n_bin), bin by bin."""
-    outer = first[..., :, None, :].conj() * second[..., None, :, :]
-    row, column = np.triu_indices(first.shape[-2], 1)
-    above, below = outer[..., row, column, :], outer[..., column, row, :]
-    squares = np.arange(first.shape[-2])
-    own = outer[..., squares, squares, :].real
-    return np.concatenate([own, above.real + below.real, below.imag - above.imag], axis=-2)
+    """Weights of these products in the energy along unit vectors, (n_hypothesis, n_product, n_bin) float64."""
+    first, second = np.triu_indices(unit.shape[1], 1)
+    pairs = 2 * unit[:, first].conj() * unit[:, second]
+    return np.concatenate([unit.real**2 + unit.imag**2, pairs.real, -pairs.imag], 1)
 
 
 def _fitted(
-    products: Array,
+    white: ComplexArray,
     response: ComplexArray,
     shapes: ComplexArray,
     order: NDArray[np.int64],
@@ -267,11 +263,8 @@ def _fitted(
 ) -> Array:
     """Gains of scores by the deviations of hypotheses.
 
-    The source of a frame is estimated from the hypothesis, so that slope and curvature by the amplitudes of the shapes
-    are linear in the products of the microphones, and those of all frames of a hypothesis are two products of matrices.
-
     Args:
-        products: products of the microphones of each frame, as :func:`_products`.
+        white: frames, (n, n_microphone, n_bin) complex128.
         response: of the hypotheses where noise is white, (n_hypothesis, n_microphone, n_bin).
         shapes: (n_hypothesis, n_shape, n_microphone, n_bin).
         order: numbers of the hypotheses that are fitted to each frame, (n, n_candidate).
@@ -281,31 +274,42 @@ def _fitted(
     Returns:
         (n, n_candidate) float64, nats.
     """
-    count, values = shapes.shape[1], products[0].size
-    once = products * (weight * (2 / temperature))[:, None]
-    both = np.concatenate([once, once * weight[:, None]], 1).reshape(len(products), -1)
+    count, (microphones, bins) = shapes.shape[1], white.shape[1:]
     size = (response.real**2 + response.imag**2).sum(1)[:, None]
     unit = response / np.sqrt(size)
     change = response[:, None] * shapes
-    change = change - unit[:, None] * (unit[:, None].conj() * change).sum(2, keepdims=True)
-    slopes = _bilinear(change, (unit / np.sqrt(size))[:, None]).reshape(len(unit), count, values)
-    power = _weights(unit) / size
-    first, second = np.tril_indices(count)
-    alike = (change[:, first].conj() * change[:, second]).sum(2).real
-    bends = (alike[:, :, None] * power[:, None]).reshape(len(unit), len(first), values)
+    change -= unit[:, None] * (unit[:, None].conj() * change).sum(2, keepdims=True)
+    # The first place of a pair of shapes is a row of the lower triangle.
+    pairs = list(zip(*np.tril_indices(count), strict=True))
+    bends = np.stack([(change[:, a].conj() * change[:, b]).real.sum(1) for a, b in pairs], 1)
+    slopes = np.ascontiguousarray(change).view(np.float64).reshape(len(unit), count, -1)
+    towards = unit.conj() * np.sqrt(2 / (size * temperature))
+    slopes *= np.sqrt(2 / temperature)
     flat = order.ravel()
-    pairs = np.argsort(flat, kind="stable")
-    numbers, starts = np.unique(flat[pairs], return_index=True)
-    frame_of = pairs // order.shape[1]
-    slope, bend = np.empty((count, len(flat))), np.empty((len(first), len(flat)))
-    ends = [*starts[1:], len(flat)]
-    room = np.empty((max(np.subtract(ends, starts)), 2 * values))  # fresh memory would cost more than the products
+    sorted_pairs = np.argsort(flat, kind="stable")
+    numbers, starts = np.unique(flat[sorted_pairs], return_index=True)
+    frame_of, ends = sorted_pairs // order.shape[1], [*starts[1:], len(flat)]
+    slope, bend = np.empty((count, len(flat))), np.empty((len(pairs), len(flat)))
+    # fresh memory would cost more than the sums
+    room = np.empty((max(np.subtract(ends, starts)), microphones, bins), complex)
+    source_room, part_room = np.empty((2, len(room), bins), complex)
+    weight_room = np.empty((len(room), bins))
     for number, start, end in zip(numbers, starts, ends, strict=True):
-        own = np.take(both, frame_of[start:end], axis=0, out=room[: end - start], mode="clip").T
-        np.matmul(slopes[number], own[:values], out=slope[:, start:end])
-        np.matmul(bends[number], own[values:], out=bend[:, start:end])
+        own = frame_of[start:end]
+        x, source, part, weighed = (each[: len(own)] for each in (room, source_room, part_room, weight_room))
+        np.take(white, own, axis=0, out=x, mode="clip")
+        np.take(weight, own, axis=0, out=weighed, mode="clip")
+        np.multiply(x[:, 0], towards[number, 0], out=source)
+        for microphone in range(1, microphones):
+            source += np.multiply(x[:, microphone], towards[number, microphone], out=part)
+        source *= weighed
+        x *= np.conjugate(source, out=part)[:, None]
+        np.matmul(slopes[number], x.view(np.float64).reshape(len(own), -1).T, out=slope[:, start:end])
+        power = np.multiply(source.real, source.real, out=weighed)
+        power += source.imag * source.imag
+        np.matmul(bends[number], power.T, out=bend[:, start:end])
     found = np.empty(len(flat))
-    found[pairs] = np.concatenate(
+    found[sorted_pairs] = np.concatenate(
         [_gaussian_gain(slope[:, k : k + _BLOCK], bend[:, k : k + _BLOCK]) for k in range(0, len(flat), _BLOCK)]
     )
     return found.reshape(order.shape)

@@ -61,8 +61,8 @@ def touch_frames(touch: Touch, cavity: ComplexArray, force: float | None) -> tup
     """
     if touch == "multi_sines":
         return _multi_sine_frames()
-    forth, back = _stroke_frames(touch, force)
-    through = cavity.astype(np.complex64)
+    forth, back = _stroke_frames(touch, force is not None)
+    through = (cavity * (1.0 if force is None else force)).astype(np.complex64)
     frames = through @ forth.reshape(len(through), -1) + through.conj() @ back.reshape(len(through), -1)
     near, leaked = np.split(frames.reshape(COUNT, -1), 2, axis=1)
     return near, np.abs(leaked)
@@ -72,19 +72,21 @@ def touch_frames(touch: Touch, cavity: ComplexArray, force: float | None) -> tup
 def _multi_sine_frames() -> tuple[ComplexArray, Array]:
     """Frames of the multi-sines, as of :func:`touch_frames`."""
     forth, back = _analysis(False)
-    spectrum = _spectra("multi_sines", None)
+    spectrum = _spectra("multi_sines", False)
     near, leaked = np.split(spectrum @ forth + spectrum.conj() @ back, 2, axis=1)
     return near, np.abs(leaked)
 
 
-@lru_cache(maxsize=8)
-def _stroke_frames(touch: Touch, force: float | None) -> tuple[NDArray[np.complex64], NDArray[np.complex64]]:
+@lru_cache(maxsize=4)
+def _stroke_frames(touch: Touch, of_force: bool) -> tuple[NDArray[np.complex64], NDArray[np.complex64]]:
     """Frames of strokes per value of the cavity at each node, and per its conjugate; (n_node, COUNT, 2 n_bin) each.
+
+    Strokes of a force have a peak of 1 N, others the peaks of a run.
 
     A cavity is a cubic spline in log f between the nodes, so that only the nodes of a design are multiplied.
     """
     forth, back = _analysis(True)
-    spectrum = _spectra(touch, force)
+    spectrum = _spectra(touch, of_force)
     parts = [spectrum * part for part in from_nodes(np.clip(_LINES, NODES[0], NODES[-1])).astype(np.float32)]
     return np.stack([part @ forth for part in parts]), np.stack([part.conj() @ back for part in parts])
 
@@ -143,7 +145,7 @@ def _analysis(is_filtered: bool) -> tuple[NDArray[np.complex64], NDArray[np.comp
 
 
 @lru_cache(maxsize=8)
-def _spectra(touch: Touch, force: float | None) -> ComplexArray:
+def _spectra(touch: Touch, of_force: bool) -> ComplexArray:
     """Spectra of touches on the lines that reach the bins, (COUNT, n_line) complex64."""
     from localize.signals.finger_strokes import press_strokes, tap_strokes
     from localize.signals.stimulus import multi_sines
@@ -153,6 +155,6 @@ def _spectra(touch: Touch, force: float | None) -> ComplexArray:
         made = multi_sines(_SEED, "evaluation", 0, COUNT, band)
     else:
         strokes = {"taps": tap_strokes, "presses": press_strokes}[touch]
-        peak = {} if force is None else {"peak": (force, force)}
+        peak = {"peak": (1.0, 1.0)} if of_force else {}
         made = strokes(_SEED, "evaluation", 0, COUNT, band, "cpu", **peak)
     return np.ascontiguousarray(made.spectrum[:, 1 : 1 + len(_LINES)].numpy())

@@ -224,8 +224,8 @@ def screened(layout: Candidates, drawn: Sequence[tuple[ArrayDesign, Sizes]]) -> 
         return []
     designs = [design for design, _ in drawn]
     known = QuickDiscs(designs)
-    values = measure(designs, QUICK, known=known, estimated=True)
     levels = tap_levels(designs, known)
+    values = measure(designs, QUICK, known=known, estimated=True, levels=levels)
     loss = np.array([each.loss_to_second.max() for each in levels])
     for own, level in zip(values, levels, strict=True):
         own["heard"] = Measured(float(level.second.min()), "")

@@ -229,8 +229,8 @@ def _predicted() -> Iterable[Metric]:
 
 #: Sensors with manufacturing scatter of ``scattered_top1``, with the same deviations for every design of a topology.
 SENSORS = 64
-#: Parts into which the 64 touches of ``scattered_top1`` are divided. Each sensor is touched by one part, because sensors
-#: differ more than touches do: the mean of 64 sensors changes by 0.2 percentage points rms.
+#: Parts into which the 64 touches of ``scattered_top1`` are divided. Each sensor is touched by one of them, because
+#: sensors differ more than touches do: the mean of 64 sensors changes by 0.2 percentage points rms.
 PARTS = 8
 
 
@@ -238,7 +238,11 @@ def _scattered_top1(figures: SharedFigures) -> Values:
     own = figures.responses
 
     def of_design(design: ArrayDesign) -> float:
-        return float(studies.scatter.scattered_accuracy(design, own.frequency, sensors=SENSORS, known=own.discs, parts=PARTS).mean())
+        return float(
+            studies.scatter.scattered_accuracy(
+                design, own.frequency, sensors=SENSORS, known=own.discs, parts=PARTS
+            ).mean()
+        )
 
     return _of_designs(of_design, figures)
 

@@ -48,6 +48,7 @@ def measure(
     drawn: Drawn | None = None,
     known: KnownDiscs | None = None,
     estimated: bool = False,
+    levels: Sequence[TapLevels] | None = None,
 ) -> list[dict[str, Measured]]:
     """Values of the figures of some rules on each design, by the names of the rules.
 
@@ -57,13 +58,15 @@ def measure(
         drawn: findings on the parts, which then are those of every design.
         known: membranes that need not be solved.
         estimated: whether the estimate of the deflection of membranes also decides where it is not clear.
+        levels: levels of taps on the designs, if you have them already.
 
     Raises:
         Refusal: a membrane outside what can be solved.
     """
     parts = drawn or Drawn()
     found: list[dict[str, Measured]] = [{} for _ in designs]
-    levels = tap_levels(designs, known) if {"heard", "slow"} & set(rules) else []
+    if levels is None:
+        levels = tap_levels(designs, known) if {"heard", "slow"} & set(rules) else []
     rates = accuracies(designs, known) if any(name in rules for name in ACCURACY_RULES) else []
     for number, (design, values) in enumerate(zip(designs, found, strict=True)):
         for name in rules:

@@ -178,7 +178,11 @@ def _loudest(responses: Responses, seconds: float) -> list[Array]:
     outputs = np.stack([output_response(design.microphone, grid, design_air(design)) for design in designs])
     received = touch_response(responses, "force") * force[:, :, None, None] * outputs[:, None, None]
     phases = np.exp(2j * np.pi * grid[:, None] * _AROUND_TAP * seconds / TAP)
-    course = 2 * (grid[1] - grid[0]) * ((received * _tap_spectrum(grid, seconds)) @ phases).real
+    spectrum = np.ascontiguousarray(received * _tap_spectrum(grid, seconds)).view(np.float64)
+    # the real part of a product, as a product of real numbers
+    course = (
+        2 * (grid[1] - grid[0]) * (spectrum @ np.stack([phases.real, -phases.imag], 1).reshape(-1, len(_AROUND_TAP)))
+    )
     return list(np.abs(course).max(axis=-1))
 
 
