@@ -232,7 +232,7 @@ class MediumParameters:
         return cls(**{f.name: np.array([getattr(medium, f.name) for medium in media]) for f in fields(Medium)})
 
 
-_Rows = TypeVar("_Rows", ArrayParameters, MediumParameters)
+_Rows = TypeVar("_Rows", bound=ArrayParameters | MediumParameters)
 
 
 def joined_rows(parts: Sequence[_Rows], counts: Sequence[int]) -> _Rows:
@@ -242,15 +242,10 @@ def joined_rows(parts: Sequence[_Rows], counts: Sequence[int]) -> _Rows:
         parts: the batches, with equal columns; one row stands for all designs of its batch.
         counts: number of designs of each batch.
     """
-    rows = {
-        name: np.concatenate(
-            [
-                np.broadcast_to(getattr(part, name), (count, *getattr(part, name).shape[1:]))
-                for part, count in zip(parts, counts, strict=True)
-            ]
-        )
-        for name in vars(parts[0])
-    }
+    rows = {}
+    for name in vars(parts[0]):
+        own = zip((getattr(part, name) for part in parts), counts, strict=True)
+        rows[name] = np.concatenate([np.broadcast_to(values, (count, *values.shape[1:])) for values, count in own])
     return type(parts[0])(**rows)
 
 

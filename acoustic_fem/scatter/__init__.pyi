@@ -6,7 +6,9 @@ from .air_and_rubber import (
 )
 from .as_built_sensors import (
     AsBuiltSensors as AsBuiltSensors,
+    DrawnSensors as DrawnSensors,
     as_built_fidelity as as_built_fidelity,
+    batch_of_sensors as batch_of_sensors,
     scatter_factors as scatter_factors,
 )
 from .tolerances import (

@@ -5,7 +5,15 @@ import pytest
 
 import geometry
 from acoustic_fem.quantities.local_air import design_air
-from acoustic_fem.scatter import ScatteredDesign, scatter_factors
+from acoustic_fem.scatter import (
+    UNCALIBRATED,
+    UNKNOWN_AIR_AND_RUBBER,
+    AsBuiltSensors,
+    DrawnSensors,
+    ScatteredDesign,
+    batch_of_sensors,
+    scatter_factors,
+)
 
 DESIGN = geometry.prototype("array-2x6").with_values({"lines.0.points": 4})
 GRID = np.array([5.0, 50.0, 200.0])
@@ -39,3 +47,17 @@ def test_discs_as_thick_as_can_be_solved_are_drawn() -> None:
     found = scatter_factors(ScatteredDesign(thick), design_air(thick), GRID, 8, 3)
     assert np.isfinite(found).all()
     assert 0.001 < np.abs(np.log(np.abs(found))).mean() < 0.3
+
+
+def test_sensors_of_several_designs_in_one_batch_are_those_of_each_alone() -> None:
+    sets = []
+    for number, bore in enumerate((0.3, 0.4)):
+        design = DESIGN.with_values({"tube.inner_diameter": bore})
+        own = ScatteredDesign(design, UNCALIBRATED)
+        air = UNKNOWN_AIR_AND_RUBBER.draws(0, 5, 1, design) if number else None
+        sets.append(DrawnSensors(AsBuiltSensors(own, GRID), own.draws(0, 5, number), air))
+    together = batch_of_sensors(sets)
+    for one, found in zip(sets, together, strict=True):
+        alone = one.sensors.transfer_functions(one.draws, one.air_and_rubber)
+        assert found == pytest.approx(alone, rel=1e-9)
+    assert np.abs(together[0] / together[1] - 1).max() > 0.1

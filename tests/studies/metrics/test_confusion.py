@@ -57,6 +57,15 @@ def test_a_design_has_the_same_prediction_in_any_batch() -> None:
         assert np.array_equal(predict_confusion(batch[k : k + 1], GRID, 0.02).confusion[0], together[k])
 
 
+def test_touches_in_parts_are_all_touches_once() -> None:
+    h = line(5)
+    whole = predict_confusion(h, GRID, 0.1, assumed=h)
+    parts = predict_confusion(np.repeat(h, 4, 0), GRID, 0.1, assumed=h, parts=4)
+    assert parts.touches == whole.touches // 4
+    assert parts.confusion.mean(0) == pytest.approx(whole.confusion[0], abs=1e-12)
+    assert not np.array_equal(parts.confusion[0], parts.confusion[1])
+
+
 def test_noises_predicted_together_are_those_of_each_alone() -> None:
     batch = np.concatenate([line(5, spread) for spread in (0.5, 1.0, 2.0)])
     noises = 0.003, np.full((3, 500), 0.05**2 / 500), 0.2
@@ -189,6 +198,7 @@ def test_noise_may_differ_from_design_to_design() -> None:
         ("microphone_noise", np.ones((2, 500)), Kind.WRONG_TYPE),
         ("listener", "ear", Kind.OUT_OF_RANGE),
         ("assumed", line(4), Kind.WRONG_TYPE),
+        ("parts", 65, Kind.OUT_OF_RANGE),
         ("touches", 0, Kind.OUT_OF_RANGE),
     ],
 )

@@ -20,7 +20,9 @@ from geometry.printing.print_rules import Finding
 from geometry.schema.target import Target
 from geometry.stock import catalogue
 from localize.contacts import loudest_outputs
+from studies.metrics.predicted_accuracy import SweptAccuracies
 from studies.verdict import (
+    OUTCOMES,
     RULES,
     Drawn,
     Remedies,
@@ -38,6 +40,7 @@ from studies.verdict.candidate_changes import CHOICES, changes_of
 from studies.verdict.part_rules import stiffened
 from studies.verdict.remedy_search import CHOICES_OF
 from studies.verdict.rules import rule_named
+from studies.verdict.swept_verdicts import swept_outcomes
 from studies.verdict.tap_levels import loudest_taps, tap_levels
 
 #: Thick membranes give even the uncalibrated sensor its accuracy.
@@ -282,3 +285,16 @@ def test_a_clipped_tap_is_said_beside_the_reasons_and_a_louder_microphone_ends_i
     louder = Verdict(ARRAY.with_values({"microphone.overload": 2 * verdict.loudest_tap}))
     assert louder.above_overload == pytest.approx(20 * math.log10(0.5))
     assert list(overload_lines(louder)) == []
+
+
+def test_a_sweep_has_the_outcomes_of_the_verdicts() -> None:
+    rules = ("", "buyable", "slow", "separate", "coverage", "affordable")
+    designs = [broken(rule) if rule else ARRAY for rule in rules]
+    expected = [verdict_on(rule).outcome for rule in rules]
+    assert set(expected) == set(OUTCOMES)
+    assert swept_outcomes(designs, SweptAccuracies(designs, 24)) == expected
+
+
+def test_a_sweep_computes_no_accuracy_of_a_design_that_does_not_fit() -> None:
+    none = SweptAccuracies([], 24)  # would raise if it were asked
+    assert swept_outcomes([broken("fits")], none) == ["does not work"]
