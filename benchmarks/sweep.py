@@ -280,7 +280,7 @@ def main() -> None:
     quick = arguments.quick
     assert set(METRICS_OF_STUDY) <= set(METRICS)
     if arguments.all_metrics:
-        with_all_metrics(64 if quick else 512)
+        with_all_metrics(64 if quick else 256)
         return
     lines = [machine() + ", smaller studies (`--quick`)" * quick + "."]
     print(lines[0])

@@ -124,7 +124,7 @@ class DrawnSensors:
     sensors: AsBuiltSensors
     """Design and frequencies of the sensors."""
     draws: Mapping[str, Array]
-    """Deviations by quantity, as :meth:`AsBuiltSensors.transfer_functions` takes them."""
+    """Deviations by quantity, (count, n_part) float64 each, in standard deviations."""
     air_and_rubber: DrawnAirAndRubber | None = None
     """Air of each sensor and slope of its rubber, as :meth:`AsBuiltSensors.transfer_functions` takes them."""
 
@@ -160,7 +160,8 @@ def batch_of_sensors(sets: Sequence[DrawnSensors]) -> list[ComplexArray]:
             the laws of their rubber.
 
     Returns:
-        Transfer functions of each set, as :meth:`AsBuiltSensors.transfer_functions`.
+        Transfer functions of each set, (count, n_point, n_microphone, n_freq) complex128, Pa/Pa, by the response of the
+        nominal microphone.
     """
     numbers, air = zip(*(one.parameters() for one in sets), strict=True)
     counts = [one.count for one in sets]

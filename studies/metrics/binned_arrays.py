@@ -171,7 +171,7 @@ def drawn_sensors(
 
 @contextmanager
 def _unlimited() -> Iterator[None]:
-    """No warnings of the limits of closed forms, which :func:`studies.check` lists."""
+    """No warnings of the limits of closed forms, which a check of the design lists."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ModelLimitWarning)
         yield
