@@ -37,6 +37,8 @@ class Fitted:
 
     evidence: float
     """Logarithm of the evidence, nats, up to a constant that all hypotheses share."""
+    peak: float
+    """Log-likelihood with the prior, at the deviations, nats, up to the same constant."""
     deviations: Array
     """Most probable deviations, (n_deviation,) float64, standard deviations."""
     point: NDArray[np.int64]
@@ -159,9 +161,16 @@ class TouchLikelihood:
         by_point = self.by_point(now, None, self._mismatch)
         point = np.where(self.known >= 0, self.known, by_point.argmax(-1))
         last = self._steps(tables, now, point, deviations, self._mismatch)
-        evidence = last.evidence + self._of_other_points(by_point)
+        more = self._of_other_points(by_point)
         return [
-            Fitted(float(evidence[k]), deviations[k], point[k], float(last.misfit[k]), last.precision[k])
+            Fitted(
+                float(last.evidence[k] + more[k]),
+                float(last.peak[k] + more[k]),
+                deviations[k],
+                point[k],
+                float(last.misfit[k]),
+                last.precision[k],
+            )
             for k in range(len(begun))
         ]
 
@@ -227,8 +236,9 @@ class TouchLikelihood:
             if failed:
                 raise np.linalg.LinAlgError(f"the precision of {each.fault} is not positive definite")
             roots[number] = np.diagonal(root)
-        evidence = score - 0.5 * (deviations**2).sum(1) + 0.5 * (slope * change).sum(1) - np.log(roots).sum(1)
-        return _Steps(evidence, misfit, precision, change)
+        peak = score - 0.5 * (deviations**2).sum(1)
+        evidence = peak + 0.5 * (slope * change).sum(1) - np.log(roots).sum(1)
+        return _Steps(evidence, peak, misfit, precision, change)
 
 
 class _Steps(NamedTuple):
@@ -236,6 +246,8 @@ class _Steps(NamedTuple):
 
     evidence: Array
     """As :attr:`Fitted.evidence`, (n_fit,) float64."""
+    peak: Array
+    """As :attr:`Fitted.peak`, (n_fit,) float64."""
     misfit: Array
     """As :attr:`Fitted.misfit`, (n_fit,) float64."""
     precision: Array

@@ -67,11 +67,20 @@ class FaultSearch:
         least = self._best.evidence - self._options.hopeless
         near = [fault for fault in self._order[: self._options.refined] if self._fits[fault][1].evidence > least]
         faults = list(dict.fromkeys([None, *near]))
-        deviations = [self._fits[fault][1].deviations for fault in faults]
+        before = [self._fits[fault][1] for fault in faults]
+        deviations = [fit.deviations for fit in before]
         # A fit may have another amount than the first of its part, and deviations are those from its own.
         tables = self._libraries.about([self._fits[fault][0].fault for fault in faults], deviations)
+        # Steps may lead away from a good fit, so each fit is also kept as it is, and with its points.
         begun = [Begin(own, start) for own, start in zip(tables, deviations, strict=True)]
-        fits = self._likelihood.fitted(begun, self._fine)
+        held = [Begin(own, fit.deviations, fit.point) for own, fit in zip(tables, before, strict=True)]
+        tried = zip(
+            self._likelihood.fitted(begun, self._fine),
+            self._likelihood.fitted(held, self._fine),
+            self._likelihood.fitted(begun, ()),
+            strict=True,
+        )
+        fits = [max(each, key=lambda fit: fit.peak) for each in tried]
         self._fits |= zip(faults, zip(tables, fits, strict=True), strict=True)
 
     def _fit(self, parts: Sequence[Sequence[SensorFault | None]]) -> None:

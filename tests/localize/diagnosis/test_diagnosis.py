@@ -106,6 +106,17 @@ def test_a_fault_is_named_without_known_points(fault: SensorFault, words: str) -
 
 @pytest.mark.slow
 @pytest.mark.physics
+def test_a_fit_is_not_lost_by_going_on_with_it() -> None:
+    """Steps about new derivatives lead away from the right points here, and nothing explained the touches then."""
+    fault = SensorFault("blocked tube", (11,), 0.3525)
+    found = diagnoser().diagnose(session(fault, 46902).signals)
+    assert found.verdict == "fault"
+    assert found.faults[0].same_part(fault)
+    assert found.misfit < 2
+
+
+@pytest.mark.slow
+@pytest.mark.physics
 def test_a_sound_sensor_is_not_accused() -> None:
     of = session(None)
     found = diagnoser().diagnose(of.signals)
