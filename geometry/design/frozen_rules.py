@@ -125,8 +125,9 @@ _STATED_BY = {
     "floor_thickness": "resonator.floor_thickness",
     "membrane_height": "resonator.cavity_height",
 }
-#: Fields of ``[surface]`` that the first fitted places did not have.
-_LATER = ("tubes",)
+#: Fields of ``[surface]`` that the first fitted places did not have, with the values that describe what they were
+#: fitted to. These are no defaults: if a default changes one day, places that were fitted before are not taken for new.
+_LATER = {"tubes": "as they lie"}
 #: How far membranes may stand above or below a body in whose pockets their shells lie, mm; assumed.
 _FLUSH = 0.1
 
@@ -187,8 +188,8 @@ def check_variable(design: StatedArray, name: str) -> None:
 
 def inputs_of(stated: SurfaceFit) -> str:
     """SHA-256 of what an array is fitted to."""
-    # A field that came later counts if it is stated, so that places stay valid that were fitted before there was one.
-    later = {name for name in _LATER if getattr(stated, name) == SurfaceFit.model_fields[name].default}
+    # A later field counts if it says anything new, so that places stay valid that were fitted before there was one.
+    later = {name for name, before in _LATER.items() if getattr(stated, name) == before}
     return hashlib.sha256(stated.model_dump_json(exclude=later).encode()).hexdigest()
 
 

@@ -8,14 +8,17 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import tomlkit
+
 from geometry.body.reading import read_body
 from geometry.design.array_design import ArrayDesign, validated
-from geometry.design.design_file import load_design
+from geometry.design.design_file import load_design, write_design
 from geometry.design.frozen_rules import inputs_of
 from geometry.design.places_file import names_places, save_places
 from geometry.ground.refusal import Kind
 from geometry.ground.text_files import read_toml
-from geometry.ground.whole_files import check_own_kind
+from geometry.ground.whole_files import check_own_kind, write_text
+from geometry.schema.array_fields import Layout
 from geometry.schema.field_errors import DesignError
 from geometry.surface.surface_fit import FittedSurface, fit_surface
 
@@ -48,21 +51,80 @@ def read_fit(path: str | os.PathLike[str]) -> FitTask:
         raise DesignError(kind=Kind.MISSING, file=path, field="layout", allowed=allowed)
     places = path.parent / data["layout"]["places"]
     check_own_kind(places, ".json", DesignError)
-    lines = data.get("lines")
-    pitched = isinstance(data["surface"], Mapping) and "pitch" in data["surface"]
-    if isinstance(lines, list):
-        lines = [_line(number, line, pitched, path) for number, line in enumerate(lines)]
-    design = validated({**data, "layout": {"kind": "serpentine"}, "lines": lines}, str(path))
+    design = unfitted(data, str(path))
     assert design.surface is not None
     return FitTask(design, path.parent / design.surface.body, places)
 
 
-def _line(number: int, line: Any, pitched: bool, path: Path) -> Any:
+def open_design(path: str | os.PathLike[str]) -> ArrayDesign:
+    """The design of a file; one whose places are still to be fitted as a serpentine.
+
+    Raises:
+        DesignError: the file is not a design, or does not go with its places.
+    """
+    path = Path(path)
+    data = read_toml(path, "a design file", DesignError)
+    if "surface" in data and names_places(data) and not (path.parent / data["layout"]["places"]).exists():
+        return read_fit(path).design
+    return load_design(path)
+
+
+def unfitted(data: Mapping[str, Any], source: str) -> ArrayDesign:
+    """The array of a design file whose places are not found yet, as a serpentine.
+
+    Args:
+        data: tables of the file.
+        source: its name, for messages.
+
+    Raises:
+        DesignError: not a design, or it states what the fit finds.
+    """
+    lines = data.get("lines")
+    pitched = isinstance(data["surface"], Mapping) and data["surface"].get("pitch") is not None
+    if isinstance(lines, list):
+        lines = [_line(number, line, pitched, source) for number, line in enumerate(lines)]
+    return validated({**data, "layout": {"kind": "serpentine"}, "lines": lines}, source)
+
+
+def text_with_places(design: ArrayDesign, places: str) -> str:
+    """Text of a design file that names a file of places, which also has the lengths of the lines.
+
+    Args:
+        design: the array with its table ``[surface]``, fitted or not.
+        places: name of the file.
+    """
+    assert design.surface is not None
+    plain = Layout(kind="serpentine")
+    lines = tuple(line.model_copy(update={"lengths": None}) for line in design.lines)
+    document = tomlkit.parse(write_design(design.model_copy(update={"layout": plain, "lines": lines})))
+    table = tomlkit.table()
+    table.add("kind", "surface")
+    table.add("places", places)
+    document["layout"] = table
+    if design.surface.pitch is not None:  # the fit counts the points
+        for line in document["lines"]:
+            line.pop("points")
+    return tomlkit.dumps(document)
+
+
+def save_fitted(design: ArrayDesign, folder: Path) -> Path:
+    """Write a fitted array as its design file and, beside it, the file of places that this names.
+
+    Returns:
+        Path of the design file.
+    """
+    path = folder / f"{design.name}.toml"
+    save_places(design, folder / f"{design.name}.places.json")
+    write_text(path, text_with_places(design, f"{design.name}.places.json"))
+    return path
+
+
+def _line(number: int, line: Any, pitched: bool, path: str) -> Any:
     """A line as it is before the fit."""
     if not isinstance(line, Mapping):
         return line
     for field in ("lengths", "pattern"):
-        if field in line:
+        if line.get(field) is not None:
             problem = "is not for a design that is fitted: the fit finds the lengths, and all its points are alike"
             raise DesignError(problem, kind=Kind.CONFLICT, file=path, field=f"lines.{number}.{field}")
     if pitched and "points" in line:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -13,37 +14,60 @@ from geometry.assembly.model import array_model
 from geometry.body.reading import Body, read_body
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import read_design
-from geometry.ground.refusal import Refusal
-from geometry.ground.whole_files import temporary_folder
+from geometry.design.places_file import names_places
+from geometry.ground.refusal import Kind, Refusal
+from geometry.ground.text_files import parse_toml
+from geometry.ground.whole_files import temporary_folder, write_text
 from geometry.layout.overlaps import schematic_notes
 from geometry.layout.size import array_size
+from geometry.schema.field_errors import DesignError
+from geometry.surface.fit_file import unfitted
 from studies.output.display import Display
 from studies.panels.form import stated_values
 from studies.run.check import check_design
 
 
-def read_upload(text: str, name: str) -> dict[str, Any]:
+def read_upload(text: str, name: str, places: tuple[str, str] | None = None) -> dict[str, Any]:
     """Fields of a design file that somebody uploaded, by the reader of design files.
 
     Args:
         text: TOML.
         name: of the file, for messages.
+        places: name and text of the file of places that was handed in with it; None for none.
 
     Returns:
-        As :func:`studies.panels.stated_values`.
+        ``stated``: as :func:`studies.panels.stated_values`; ``note``: a sentence if the array is not fitted yet, else
+        empty.
 
     Raises:
-        DesignError: not TOML, or not a valid design.
+        DesignError: not TOML, not a valid design, or not one of those places.
     """
-    return stated_values(read_design(text, name))
+    data = parse_toml(text, name, DesignError)
+    if not names_places(data):
+        return {"stated": stated_values(read_design(text, name)), "note": ""}
+    named = data["layout"]["places"]
+    if places is not None:
+        with temporary_folder() as folder:
+            if Path(places[0]).name != named:
+                allowed = f"the file that {name} names, {named!r}"
+                raise DesignError(kind=Kind.MISMATCH, field="places", value=places[0], allowed=allowed)
+            write_text(folder / Path(named).name, places[1])
+            with by_their_names():
+                return {"stated": stated_values(read_design(text, name, folder)), "note": ""}
+    if not isinstance(data.get("surface"), dict):
+        return {"stated": stated_values(read_design(text, name)), "note": ""}  # which says what is missing
+    note = (
+        f"The array is not fitted yet. If you have {named}, open both files together. Else press Fit in the panel Body."
+    )
+    return {"stated": stated_values(unfitted(data, name)), "note": note}
 
 
-def model_of_array(design: ArrayDesign, folder: Path | None = None) -> dict[str, Any]:
+def model_of_array(design: ArrayDesign, body: str | None = None) -> dict[str, Any]:
     """The array in three dimensions, with the body that it was fitted to.
 
     Args:
         design: the array.
-        folder: of the design file, where the file of the body is sought; None draws no body.
+        body: path of the file of the body; None draws no body.
 
     Returns:
         ``glb``: binary glTF of :func:`geometry.pictures.viewer.write_gltf`, bytes; ``parts``: for each placed part its
@@ -55,13 +79,13 @@ def model_of_array(design: ArrayDesign, folder: Path | None = None) -> dict[str,
         Refusal: a part cannot be built.
     """
     model = array_model(design)
-    body, notes = _body_of(design, folder)
+    facets, notes = _facets_of(design, body)
     with temporary_folder() as scratch:
-        content = pictures.write_gltf(model, scratch / "array.glb", body).read_bytes()
+        content = pictures.write_gltf(model, scratch / "array.glb", facets).read_bytes()
     return {
         "glb": content,
         "parts": [
-            *({"label": name, "part": name, "kind": "body", "group": "body"} for name in body),
+            *({"label": name, "part": name, "kind": "body", "group": "body"} for name in facets),
             *(
                 {"label": part.label.replace(" ", "_"), "part": part.part, "kind": part.kind, "group": part.group}
                 for part in model.placed
@@ -72,13 +96,13 @@ def model_of_array(design: ArrayDesign, folder: Path | None = None) -> dict[str,
     }
 
 
-def _body_of(design: ArrayDesign, folder: Path | None) -> tuple[dict[str, solids.Tessellation], list[str]]:
+def _facets_of(design: ArrayDesign, file: str | None) -> tuple[dict[str, solids.Tessellation], list[str]]:
     """The body that an array was fitted to, and sentences on why none is drawn."""
     stated, frozen = design.surface, design.layout.frozen
-    if folder is None or stated is None or frozen is None:
+    if file is None or stated is None or frozen is None:
         return {}, []
     try:
-        path = folder / stated.body
+        path = Path(file)
         written = path.stat().st_mtime_ns if path.is_file() else 0
         body = _kept_body(path, written, stated.unit, stated.skin)
     except Refusal as error:
@@ -110,6 +134,16 @@ def check_figures(design: ArrayDesign, notify: Callable[[str], None] = lambda li
     """
     found = check_design(design, quality=False, display=CallbackDisplay(notify))  # the points' panel has it
     return {**found.to_dict(), "verdict": found.buildability}
+
+
+@contextmanager
+def by_their_names() -> Iterator[None]:
+    """Refusals name files without the folder, which is one of the studio's own."""
+    try:
+        yield
+    except Refusal as error:
+        error.file = None if error.file is None else Path(error.file).name
+        raise
 
 
 class CallbackDisplay(Display):

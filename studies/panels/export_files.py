@@ -11,7 +11,9 @@ from acoustic_fem.quantities.fidelity import FIDELITIES, Fidelity
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import save_design
 from geometry.ground.argument_checks import check_choice
+from geometry.ground.whole_files import made_folder
 from studies import kit, run
+from studies.panels.body_panel import save_beside
 from studies.panels.cad_panel import CallbackDisplay
 from studies.run.library_files import convert_library, solve_library
 
@@ -24,18 +26,18 @@ class Export:
     """Name of the file for people."""
     takes: str
     """How long it takes to make, in words."""
-    make: Callable[[ArrayDesign, Path, Fidelity, CallbackDisplay], Path]
+    make: Callable[[ArrayDesign, Path, Fidelity, CallbackDisplay, str | None], Path]
     """Function that writes it into a folder and hands back its path."""
 
 
-def _toml(design: ArrayDesign, folder: Path, fidelity: Fidelity, display: CallbackDisplay) -> Path:
+def _toml(design: ArrayDesign, folder: Path, fidelity: Fidelity, display: CallbackDisplay, body: str | None) -> Path:
     path = folder / "design.toml"
     save_design(design, path)
     return path
 
 
-def _library(suffix: str) -> Callable[[ArrayDesign, Path, Fidelity, CallbackDisplay], Path]:
-    def make(design: ArrayDesign, folder: Path, fidelity: Fidelity, display: CallbackDisplay) -> Path:
+def _library(suffix: str) -> Callable[[ArrayDesign, Path, Fidelity, CallbackDisplay, str | None], Path]:
+    def make(design: ArrayDesign, folder: Path, fidelity: Fidelity, display: CallbackDisplay, body: str | None) -> Path:
         path = folder / "library.nc"
         solve_library(design, path, fidelity=fidelity, display=display)
         if suffix == path.suffix:
@@ -47,12 +49,15 @@ def _library(suffix: str) -> Callable[[ArrayDesign, Path, Fidelity, CallbackDisp
     return make
 
 
-def _parts(design: ArrayDesign, folder: Path, fidelity: Fidelity, display: CallbackDisplay) -> Path:
-    kit.export_parts(design, folder / "parts", display=display)
+def _parts(design: ArrayDesign, folder: Path, fidelity: Fidelity, display: CallbackDisplay, body: str | None) -> Path:
+    source: ArrayDesign | Path = design
+    if body is not None:  # files of the body are made for a design beside it
+        source = save_beside(design, body, made_folder(folder / "design"))
+    kit.export_parts(source, folder / "parts", display=display)
     return Path(shutil.make_archive(str(folder / "parts"), "zip", folder / "parts"))
 
 
-def _report(design: ArrayDesign, folder: Path, fidelity: Fidelity, display: CallbackDisplay) -> Path:
+def _report(design: ArrayDesign, folder: Path, fidelity: Fidelity, display: CallbackDisplay, body: str | None) -> Path:
     run.run_design(design, folder / "run", display=display)
     return folder / "run" / "report.html"
 
@@ -68,7 +73,12 @@ EXPORTS: dict[str, Export] = {
 
 
 def make_export(
-    design: ArrayDesign, name: str, folder: str, fidelity: Fidelity, notify: Callable[[str], None] = lambda line: None
+    design: ArrayDesign,
+    name: str,
+    folder: str,
+    fidelity: Fidelity,
+    body: str | None = None,
+    notify: Callable[[str], None] = lambda line: None,
 ) -> str:
     """Write one file of a design.
 
@@ -77,6 +87,7 @@ def make_export(
         name: of :data:`EXPORTS`.
         folder: exists and is empty.
         fidelity: of libraries.
+        body: path of the body that the array was fitted to; None for none.
         notify: called with what is being done.
 
     Returns:
@@ -87,4 +98,4 @@ def make_export(
     """
     check_choice("export", name, EXPORTS)
     check_choice("fidelity", fidelity, FIDELITIES)
-    return str(EXPORTS[name].make(design, Path(folder), fidelity, CallbackDisplay(notify)))
+    return str(EXPORTS[name].make(design, Path(folder), fidelity, CallbackDisplay(notify), body))

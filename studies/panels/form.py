@@ -16,8 +16,8 @@ from geometry.stock import catalogue
 
 #: Ends of the names of fields whose text is the name of a material.
 _MATERIAL = "material"
-#: Beginning of the names of fields of frozen places.
-_FROZEN = "layout.frozen."
+#: Beginnings of the names of fields of frozen places, and of what they are fitted to.
+_FITTED = ("layout.frozen.", "surface.")
 
 
 def stated_values(design: ArrayDesign) -> dict[str, Any]:
@@ -32,7 +32,7 @@ def stated_values(design: ArrayDesign) -> dict[str, Any]:
 def form_of(design: ArrayDesign) -> list[dict[str, Any]]:
     """The fields of a design as a form shows them, in the order of its file.
 
-    Frozen places are left out, because ``acoustic-fem fit`` writes them into a file of their own.
+    Frozen places and what they are fitted to are left out: the panel of the body has them.
 
     Args:
         design: the design, whose lines, kinds and materials have fields each of their own.
@@ -44,7 +44,7 @@ def form_of(design: ArrayDesign) -> list[dict[str, Any]]:
         ``optional``, ``description`` and ``value``.
     """
     fields = field_values(design).items()
-    return [_entry(name, value, design) for name, value in fields if not name.startswith(_FROZEN)]
+    return [_entry(name, value, design) for name, value in fields if not name.startswith(_FITTED)]
 
 
 def sizes_sold(design: ArrayDesign) -> dict[str, list[float]]:

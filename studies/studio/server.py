@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import json
 import traceback
 from collections.abc import Awaitable
 from importlib import resources
@@ -28,6 +29,8 @@ from studies.studio.workplace import Workplace
 
 #: Largest recording and recognizer that are taken, and largest message of a page, bytes.
 MOST_RECORDING, MOST_RECOGNIZER, MOST_MESSAGE = 32 * 1024**2, 16 * 1024**2, 1024**2
+#: Largest file of a body that is taken, bytes.
+MOST_BODY = 64 * 1024**2
 #: Seconds within which a page proves itself over its websocket, and within which a part of an upload follows another.
 PROOF_WITHIN, PART_WITHIN = 5.0, 10.0
 #: Websockets that may wait for that proof; beyond, the one that has waited longest is closed.
@@ -71,7 +74,14 @@ def studio_app(design: ArrayDesign, guard: Guard, workplace: Workplace) -> ASGIA
         text, name = await _text_file(request, "design.toml")
         if isinstance(text, Response):
             return text
-        found = await _handed_in(workplace.upload(text, name))
+        places = None
+        if request.query_params.get("places"):  # the design and its file of places, one behind the other
+            try:
+                text, own = (str(each) for each in json.loads(text))
+            except (ValueError, TypeError, RecursionError):
+                return _refused("must be a list of two texts", 400)
+            places = (request.query_params["places"][:100], own)
+        found = await _handed_in(workplace.upload(text, name, places))
         return found if isinstance(found, Response) else JSONResponse(found)
 
     async def recording(request: Request) -> Response:
@@ -120,6 +130,25 @@ def studio_app(design: ArrayDesign, guard: Guard, workplace: Workplace) -> ASGIA
         found.touches.take_recognizer(about.pop("folder"))
         return JSONResponse(about)
 
+    async def body(request: Request) -> Response:
+        found = sessions.find(request.query_params.get("session"))
+        if found is None:
+            return _refused("there is no such session", 404)
+        content = await _body(request, MOST_BODY, f"the body must be at most {MOST_BODY // 1024**2} MB")
+        if isinstance(content, Response):
+            return content
+        path = await _handed_in(workplace.keep_body(content, request.query_params.get("name", "body")))
+        if isinstance(path, Response):
+            return path
+        found.fitting.take_body(path)
+        return JSONResponse({"name": path.name})
+
+    async def shape(request: Request) -> Response:
+        content = workplace.shape_file(request.path_params["key"])
+        if content is None:
+            return PlainTextResponse("no such body\n", 404)
+        return Response(content, media_type="application/octet-stream")
+
     async def session(socket: WebSocket) -> None:
         await _hold(socket, sessions, guard, unproven)
 
@@ -133,6 +162,8 @@ def studio_app(design: ArrayDesign, guard: Guard, workplace: Workplace) -> ASGIA
             Route("/recordings", recording, methods=["POST"]),
             Route("/manifests", manifest, methods=["POST"]),
             Route("/recognizers", recognizer, methods=["POST"]),
+            Route("/bodies", body, methods=["POST"]),
+            Route("/bodies/{key}", shape, methods=["GET"]),
             WebSocketRoute("/session", session),
         ]
     )

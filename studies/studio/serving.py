@@ -20,6 +20,7 @@ from geometry.design.design_file import DesignLike, resolve_design
 from geometry.ground.argument_checks import check_range
 from geometry.ground.extras import check_extras
 from geometry.ground.refusal import Field, Kind, Refusal
+from geometry.surface.fit_file import open_design
 
 #: Port that is taken where it is free, and how many after it are tried.
 USUAL_PORT, _PORTS = 8765, 20
@@ -56,8 +57,9 @@ def serve_studio(
     """
     check_extras("the server of the page", "studio")
     is_visible = _is_visible(host)
-    beside = None if isinstance(design, ArrayDesign) or not Path(design).is_file() else Path(design).resolve().parent
-    design = resolve_design(design)
+    path = None if isinstance(design, ArrayDesign) or not Path(design).is_file() else Path(design)
+    beside = None if path is None else path.resolve().parent
+    design = resolve_design(design) if path is None else open_design(path)
     for variable in _THREADS:  # of the processes that follow; this one has its limits below
         os.environ.setdefault(variable, "1")
     import scipy.linalg  # loads BLAS, which is to have one thread
@@ -75,7 +77,7 @@ def serve_studio(
         return f"http://{name}:{number}/?code={guard.code}"
 
     guard = studies.studio.Guard(host, number, lambda: notify(f"Address for another browser: {address()}"))
-    workplace = studies.studio.Workplace(beside)
+    workplace = studies.studio.Workplace(beside, design)
     config = uvicorn.Config(
         studio_app(design, guard, workplace),
         http=bounded_protocol(),

@@ -26,6 +26,7 @@ from studies.panels.pinned_panel import COMPARISON, field_rows, figure_rows
 from studies.studio.drags import Drags
 from studies.studio.exploration import Exploration, file_of
 from studies.studio.exports import Exports
+from studies.studio.fit_job import FitJob
 from studies.studio.job_search import JobSearch
 from studies.studio.messages import MessageError, packed, text_of, written
 from studies.studio.page_words import SHARED, form_words
@@ -56,6 +57,7 @@ class Session:
         self.exports = Exports(self.id, workplace, self._post, lambda: self.is_open)
         self.exploration = Exploration(workplace, self._post)
         self._search = JobSearch(workplace, self._post)
+        self.fitting = FitJob(workplace, self._post, self._take_fitted)
         self._workplace = workplace
         self._quantity = "level"
         self._wanted: set[str] = set()
@@ -88,6 +90,7 @@ class Session:
         self._ask_all()
         await self._post_pinned()
         await self.exploration.post_again()
+        await self.fitting.post_again()
         await self.exports.post_again()
 
     async def restore_quietly(self, values: dict[str, Any], saved: bool, send: Send) -> None:
@@ -112,6 +115,7 @@ class Session:
         """Nobody comes back: what is still done for the page is stopped, and its files are removed."""
         self.exploration.stop()
         self._search.stop()
+        self.fitting.stop()
         self.exports.end()
         if self._solve_job is not None:
             self._workplace.stop_apart("solve", self._solve_job)
@@ -299,6 +303,8 @@ class Session:
             self.exploration.stop()
         elif name == "proposals":
             self._search.stop()
+        elif name == "fit":
+            self.fitting.stop()
         elif name == "live":
             await self.touches.end("stopped")
         elif name in STAGES:
@@ -377,6 +383,36 @@ class Session:
             failure = {"stage": "proposals", "revision": self.state.revision, "message": str(error)}
             await self._post({"type": "failed", **failure})
 
+    # -- arrays on bodies ---------------------------------------------------------------------------
+    async def _body(self, message: Mapping[str, Any]) -> None:
+        await self.fitting.show(self.state.design, self.state.revision, message)
+
+    async def _fit(self, message: Mapping[str, Any]) -> None:
+        try:
+            self.fitting.fit(self.state.design, self.state.revision, message)
+        except MessageError:
+            raise
+        except Refusal as error:
+            failure = {"stage": "fit", "revision": self.state.revision, "message": str(error)}
+            await self._post({"type": "failed", **failure})
+
+    async def _take_fitted(self, design: ArrayDesign, revision: int) -> bool:
+        if self.state.revision != revision:
+            return False
+        self.state.open(design, saved=False)
+        await self._changed(whole=True)
+        return True
+
+    async def _fitted_files(self, message: Mapping[str, Any]) -> None:
+        job = Job("fit", self.state.revision, self.state.design)
+        path = await outcome(job, self._workplace.fitted_files(job.design), self._post)
+        if path is None:
+            return
+        if self.state.design is job.design:
+            self.state.mark_saved()
+            await self._post_design(whole=False)
+        await self.exports.hand_out(path, f"{job.design.name}.zip")
+
     # -- studies ------------------------------------------------------------------------------------
     async def _study(self, message: Mapping[str, Any]) -> None:
         design = self.state.design
@@ -443,6 +479,9 @@ _ACTIONS: dict[str, Callable[[Session, Mapping[str, Any]], Awaitable[None]]] = {
     "cards": Session._cards,
     "job": Session._job,
     "propose": Session._propose,
+    "body": Session._body,
+    "fit": Session._fit,
+    "fitted-files": Session._fitted_files,
     "study": Session._study,
     "load": Session._load,
 }

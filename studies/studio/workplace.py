@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import gc
+import hashlib
 from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
@@ -19,6 +20,7 @@ from geometry.design.array_design import ArrayDesign
 from geometry.ground.process_messages import Stopped
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.whole_files import write_text
+from studies.panels.body_panel import body_shape, fit_to_body, write_fitted
 from studies.panels.cad_panel import check_figures, model_of_array, read_upload
 from studies.panels.curve_validity import Validity, validity
 from studies.panels.curves import Curves, curves_of, quick_library
@@ -33,6 +35,7 @@ from studies.panels.recognizing import store_recognizer, with_kinds, write_lette
 from studies.panels.solved_curves import SolvedCurves, solve_curves
 from studies.panels.touching import manifest_scale, membranes, replay_recording, simulate_slide, simulate_touch
 from studies.panels.verdict_panel import verdict_figures
+from studies.studio.body_store import BodyStore
 from studies.studio.result_cache import ResultCache
 from studies.studio.stage import Job
 from studies.studio.task_process import TaskProcess
@@ -41,6 +44,8 @@ from studies.studio.task_process import TaskProcess
 WAITING = "waiting for that of another page"
 #: Libraries and results of each stage that are kept, and models in three dimensions, which are larger.
 MOST_RESULTS, MOST_MODELS = 64, 12
+#: Shapes of bodies that are kept.
+MOST_SHAPES = 4
 
 
 class Workplace:
@@ -50,10 +55,10 @@ class Workplace:
 
     Args:
         folder: of the design file, which has the body of an array that was fitted to one; None if there is no file.
+        design: that the studio is started with.
     """
 
-    def __init__(self, folder: Path | None = None) -> None:
-        self._beside = folder
+    def __init__(self, folder: Path | None = None, design: ArrayDesign | None = None) -> None:
         # One thread a stage: a slow one delays no other, and none works on two designs at once.
         self._threads = {
             name: ThreadPoolExecutor(1, f"studio-{name}")
@@ -68,18 +73,22 @@ class Workplace:
                 "study",
                 "touch",
                 "proposals",
-                *("solve", "found"),
+                *("solve", "found", "fit"),
             )
         }
         self.cad = TaskProcess(_warm_up)
         self._decoder = TaskProcess(_import_decoder, "the decoder", in_background=False)
         # Seconds of Python: in a thread they would stand in the way of every curve.
         self._predictor = TaskProcess(_import_decoder, "the process of as-built sensors")
+        self._fitter = TaskProcess(_warm_up, "the process that fits arrays")
+        self._fits = 0
         self._libraries: ResultCache[tuple[Library, QuickFidelity]] = ResultCache(MOST_RESULTS)
         self._results: ResultCache[dict[str, Any]] = ResultCache(MOST_RESULTS)
         self._solved: ResultCache[SolvedCurves] = ResultCache(MOST_RESULTS)
         self._models: ResultCache[dict[str, Any]] = ResultCache(MOST_MODELS)
+        self._shapes: ResultCache[dict[str, Any]] = ResultCache(MOST_SHAPES)
         self._folder = TemporaryDirectory(prefix="acoustic-fem-studio-")
+        self.bodies = BodyStore(Path(self._folder.name) / "bodies", folder, design)
         self._processes: dict[str, TaskProcess] = {}
         self._queued: dict[object, Future[Any]] = {}
 
@@ -131,7 +140,7 @@ class Workplace:
             "surface": ("points", lambda: membranes(design)),
             "as_built": ("as_built", lambda: self._predictor.run(as_built_figures, (design,), task=job)),
             "verdict": ("as_built", lambda: self._predictor.run(verdict_figures, (design,), task=job)),
-            "model": ("cad", lambda: self.cad.run(model_of_array, (design, self._beside), task=job)),
+            "model": ("cad", lambda: self.cad.run(model_of_array, (design, self._body_of(design)), task=job)),
             "check": ("cad", lambda: self.cad.run(check_figures, (design,), notify, task=job)),
         }
         thread, compute = works[stage]
@@ -156,9 +165,74 @@ class Workplace:
         found = self._models.get(("model", key))
         return None if found is None else found["glb"]
 
-    async def upload(self, text: str, name: str) -> dict[str, Any]:
-        """Content of an uploaded design file; it waits for no check of a design."""
-        return await self.in_thread("touch", lambda: self._decoder.run(read_upload, (text, name)))
+    def _body_of(self, design: ArrayDesign, at_hand: bool = False) -> str | None:
+        """Path of the body that an array was fitted to; None where it is not known, or with ``at_hand`` not there."""
+        path = self.bodies.of(design) if design.layout.frozen is not None else None
+        return None if path is None or (at_hand and not path.is_file()) else str(path)
+
+    async def keep_body(self, content: bytes, name: str) -> Path:
+        """A body that a page hands in, as a file."""
+        return Path(await self.in_thread("save", lambda: self.bodies.keep(content, name)))
+
+    async def body(self, path: Path, unit: str, skin: int | None) -> dict[str, Any]:
+        """A body as of :func:`studies.panels.body_panel.body_shape`, with the key of its shape as ``file``."""
+
+        def work() -> dict[str, Any]:
+            written = path.stat().st_mtime_ns if path.is_file() else 0
+            key = hashlib.sha256(repr((str(path), written, unit, skin)).encode()).hexdigest()
+            found = self._shapes.get(key)
+            if found is None:
+                found = {**self.cad.run(body_shape, (str(path), unit, skin)), "file": f"/bodies/{key}"}
+                self._shapes.put(key, found)
+            return found
+
+        self._threads["fit"].submit(self._fitter.start)  # a fit is not far
+        return dict(await self.in_thread("cad", work))
+
+    def shape_file(self, key: str) -> bytes | None:
+        """The shape of a body by its key; None where it is not kept."""
+        found = self._shapes.get(key)
+        return None if found is None else found["shape"]
+
+    async def fit(
+        self, design: ArrayDesign, asked: tuple[Any, ...], notify: Callable[[str], None], task: object
+    ) -> ArrayDesign:
+        """A design that is fitted to a body, in a process of its own, one after the other.
+
+        Args:
+            design: its parts.
+            asked: the table ``[surface]``, the points of each line or None, and the path of the body.
+            notify: called with what is being done.
+            task: by which :meth:`stop_apart` knows it.
+        """
+        surface, points, body = asked
+        if self._fits:
+            notify(WAITING)
+        self._fits += 1
+        try:
+            found: ArrayDesign = await self._in_turn(
+                "fit",
+                lambda: self._fitter.run(fit_to_body, (design, surface, points, str(body)), notify, task),
+                task,
+            )
+        finally:
+            self._fits -= 1
+        return found
+
+    async def fitted_files(self, design: ArrayDesign) -> Path:
+        """Design, places and body of a fitted array in one file, to be handed out."""
+
+        def work() -> Path:
+            with self._place() as place:
+                path = place / "fitted.zip"
+                write_fitted(design, self._body_of(design, at_hand=True), str(path))
+                return path
+
+        return await self.in_thread("save", work)
+
+    async def upload(self, text: str, name: str, places: tuple[str, str] | None) -> dict[str, Any]:
+        """Content of an uploaded design file, as of :func:`read_upload`; it waits for no check of a design."""
+        return await self.in_thread("touch", lambda: self._decoder.run(read_upload, (text, name, places)))
 
     async def touch(
         self, design: ArrayDesign, kind: str, options: tuple[Any, ...], recognizer: str | None
@@ -230,7 +304,8 @@ class Workplace:
         self, design: ArrayDesign, name: str, fidelity: Fidelity, notify: Callable[[str], None], task: object
     ) -> Path:
         """One file of a design, made in a process of its own, one after the other."""
-        return await self._made(lambda place: (make_export, (design, name, place, fidelity)), notify, task)
+        asked = (fidelity, self._body_of(design, at_hand=True))
+        return await self._made(lambda place: (make_export, (design, name, place, *asked)), notify, task)
 
     async def comparison(
         self, design: ArrayDesign, pinned: ArrayDesign, notify: Callable[[str], None], task: object
@@ -347,19 +422,19 @@ class Workplace:
         self._predictor.stop(task)
 
     def stop_apart(self, name: str, task: object) -> None:
-        """Post that a file ("export"), a study, a search ("proposals"), a solution ("solve") or listening ("live")
-        is not wanted any more.
+        """Post that a file ("export"), a study, a search ("proposals"), a fit ("fit"), a solution ("solve") or
+        listening ("live") is not wanted any more.
         """
         queued = self._queued.get(task)
         if queued is not None and queued.cancel():
             return
-        process = self._processes.get(name)
+        process = self._fitter if name == "fit" else self._processes.get(name)
         if process is not None:
             process.stop(task, at_once=True)
 
     def close(self) -> None:
         """End threads and processes, and remove what was written."""
-        for process in (self.cad, self._decoder, self._predictor, *self._processes.values()):
+        for process in (self.cad, self._decoder, self._predictor, self._fitter, *self._processes.values()):
             process.end()
         for threads in self._threads.values():
             threads.shutdown(wait=False, cancel_futures=True)

@@ -7,6 +7,7 @@ import {
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
 import { access } from "./access";
+import type { BodyView, Hit } from "./body";
 import { Dimensions, OUTSIDE } from "./dimensions";
 import { byId, colour, hand, make, words } from "./dom";
 import { Dragging, type Hold, type Moved, toScene } from "./dragging";
@@ -27,6 +28,8 @@ const DRAGGED: Record<string, string> = {
 };
 /** What can be changed in the picture; null where it is only looked at. */
 export interface Changes { drag: (message: object) => void; resize: (size: string, value: number | string) => void; }
+/** A body that is chosen from: what a click on it does, and what is said of a place. */
+export interface Choosing { body: BodyView; alone: boolean; click: (hit: Hit) => void; words: (hit: Hit) => string; }
 interface Home { position: Vector3; turn: Quaternion; }
 
 export class ArrayPanel {
@@ -46,10 +49,12 @@ export class ArrayPanel {
   /** The array as it is built, however its parts are lifted: to its corners, not to boxes of its turned parts. */
   private extent = new Box3();
   private fittedTo = 0;
+  private fittedAt = new Vector3();
   /** The designer has chosen how the array is seen. */
   private turned = false;
   private cut = new Plane(new Vector3(0, 0, -1), 0);
   private lit: (part: Part) => boolean = () => false;
+  private choosing: Choosing | null = null;
   private sheet = make("canvas", { tabindex: "0", role: "img", "aria-label": "the array in three dimensions; arrow keys turn it, plus and minus zoom" });
   /** What was drawn last, without what is touched: fetched from a renderer in software it takes a tenth of a second. */
   private still = make("canvas");
@@ -64,7 +69,7 @@ export class ArrayPanel {
   private size: number[] = [0, 0, 0];
 
   constructor(private place: HTMLElement, private colourOf: (point: number) => string,
-    private choose: (point: number | null, second: boolean) => void, private hover: (point: number | null) => void, changes: Changes | null) {
+    private choose: (point: number | null, second: boolean, reached: (reach: number) => number | null) => void, private hover: (point: number | null) => void, changes: Changes | null) {
     this.dimensions = new Dimensions(place, changes?.resize ?? null, () => this.ask());
     try {
       this.renderer = new WebGLRenderer({ antialias: true });
@@ -97,7 +102,10 @@ export class ArrayPanel {
     canvas.addEventListener("pointermove", (event) => { if (!event.buttons) this.name(event); });
     canvas.addEventListener("pointerleave", () => this.hover(null));
     canvas.addEventListener("click", (event) => {
-      if (Math.hypot(event.clientX - down[0], event.clientY - down[1]) < 5) this.choose(this.pointOf(this.under(event)?.part ?? null), event.shiftKey);
+      if (Math.hypot(event.clientX - down[0], event.clientY - down[1]) >= 5) return;
+      const place = this.onBody(event);
+      if (place) this.choosing!.click(place);
+      else this.choose(this.pointOf(this.under(event)?.part ?? null), event.shiftKey, (reach) => this.reached(event, reach));
     });
     canvas.addEventListener("keydown", (event) => this.key(event));
     for (const id of ["exploded", "section"]) byId(id).addEventListener("input", () => this.arrange());
@@ -119,6 +127,7 @@ export class ArrayPanel {
     const found = await new GLTFLoader().parseAsync(await answer.arrayBuffer(), "");
     if (this.moved && revision < this.moved.revision) return; // it would take the parts back
     if (this.moved?.revision === revision) this.model.position.add(toScene(this.moved.shift));
+    if (this.choosing) this.model.position.set(0, 0, 0); // an array stands where its body is
     this.moved = null;
     this.clear();
     this.parts = new Map(model.parts.map((part) => [part.label, part]));
@@ -137,10 +146,21 @@ export class ArrayPanel {
     this.extent.makeEmpty();
     for (const node of this.home.keys()) if (!["board", "body"].includes(this.parts.get(node.name)!.kind)) this.extent.expandByObject(node, true);
     this.switches(model.parts);
-    // The camera stays where the designer put it, unless the array has grown or shrunk.
-    const extent = Math.hypot(...model.size);
+    // The camera stays where the designer put it, unless the array has grown, shrunk or gone elsewhere.
+    const extent = Math.hypot(...model.size), away = 1000 * this.extent.getCenter(new Vector3()).distanceTo(this.fittedAt);
     this.arrange();
-    if (Math.abs(Math.log(extent / (this.fittedTo || 1))) > 0.08) this.see();
+    if (Math.abs(Math.log(extent / (this.fittedTo || 1))) > 0.08 || away > 0.2 * extent) this.see();
+  }
+
+  /** Show a body to choose from, or no longer. */
+  offer(choosing: Choosing | null): void {
+    const before = this.choosing, look = before?.body !== choosing?.body || before?.alone !== choosing?.alone;
+    before?.body.group.removeFromParent();
+    this.choosing = choosing;
+    if (!this.renderer) return;
+    if (choosing) this.scene.add(choosing.body.group);
+    this.arrange();
+    if (look) this.see();
   }
 
   /** The parts are where they were dragged; tubes are lines until they are drawn anew. */
@@ -230,7 +250,7 @@ export class ArrayPanel {
     const carried = this.carried();
     for (const [node, { position, turn }] of this.home) {
       const part = this.parts.get(node.name)!, carry = carried.get(part.group);
-      node.visible = !this.hidden.has(part.kind) && !(this.moved && part.group.startsWith("tube "));
+      node.visible = !this.hidden.has(part.kind) && !(this.choosing && (this.choosing.alone || part.kind === "body")) && !(this.moved && part.group.startsWith("tube "));
       node.position.copy(position);
       node.quaternion.copy(turn);
       if (carry) {
@@ -273,7 +293,7 @@ export class ArrayPanel {
   /** Dimension lines along three edges of the array as it is built, and between its first two points, mm. */
   private measure(): void {
     const { min, max } = this.extent, [x, y, z] = this.size;
-    if (!byId<HTMLInputElement>("dimensions").checked || this.extent.isEmpty() || this.moved) return this.dimensions.measure([], this.extent.min);
+    if (!byId<HTMLInputElement>("dimensions").checked || this.extent.isEmpty() || this.moved || this.choosing?.alone) return this.dimensions.measure([], this.extent.min);
     this.place.dataset.measured = [max.x - min.x, max.z - min.z, max.y - min.y].map((each) => words(1000 * each, 3)).join(" ");
     const at = (x: number, y: number, z: number) => new Vector3(x, y, z), ends = [min, max];
     /** The four edges of the box along an axis, by the two other coordinates of each. */
@@ -295,7 +315,8 @@ export class ArrayPanel {
   refuseSize(size: string): void { this.dimensions.refuse(size); }
 
   private see(): void {
-    const bounds = new Box3().setFromObject(this.model);
+    const bounds = new Box3().setFromObject(this.choosing?.alone ? this.choosing.body.group : this.model);
+    if (this.choosing) bounds.expandByObject(this.choosing.body.group);
     if (bounds.isEmpty() || !this.controls) return;
     const middle = bounds.getCenter(new Vector3()), size = bounds.getSize(new Vector3());
     const tangent = Math.tan((this.camera.fov * Math.PI) / 360);
@@ -307,6 +328,7 @@ export class ArrayPanel {
     this.controls.target.copy(middle);
     this.controls.update();
     this.fittedTo = Math.hypot(...this.size);
+    this.extent.getCenter(this.fittedAt);
     this.turned = false;
     this.ask();
   }
@@ -396,20 +418,51 @@ export class ArrayPanel {
     c.globalAlpha = 1;
   }
 
-  private under(event: MouseEvent): { part: Part; hit: Intersection } | null {
+  private ray(event: MouseEvent): Raycaster {
     const frame = this.sheet.getBoundingClientRect();
     const at = new Vector2((2 * (event.clientX - frame.left)) / frame.width - 1, 1 - (2 * (event.clientY - frame.top)) / frame.height);
     const ray = new Raycaster();
-    this.camera.updateMatrixWorld(); // drawing brings both up to date, and the pointer may be earlier than the next picture
-    this.model.updateMatrixWorld();
+    this.camera.updateMatrixWorld(); // drawing brings all up to date, and the pointer may be earlier than the next picture
+    this.scene.updateMatrixWorld();
     ray.setFromCamera(at, this.camera);
-    for (const hit of ray.intersectObject(this.model, true)) {
+    return ray;
+  }
+
+  /** Parts under the pointer that are shown, the nearest first. */
+  private *hits(event: MouseEvent): Generator<{ part: Part; hit: Intersection }> {
+    for (const hit of this.ray(event).intersectObject(this.model, true)) {
       let node: Object3D | null = hit.object;
       while (node && !this.parts.has(node.name)) node = node.parent;
       const part = node && this.parts.get(node.name);
-      if (node?.visible && part && part.kind !== "body") return { part, hit }; // one looks through the body
+      if (node?.visible && part) yield { part, hit };
     }
+  }
+
+  private under(event: MouseEvent): { part: Part; hit: Intersection } | null {
+    for (const found of this.hits(event)) if (found.part.kind !== "body") return found; // one looks through the body
     return null;
+  }
+
+  /** The point that a finger touches at the pointer, which reaches so far from there, mm: its membrane is the nearest. */
+  private reached(event: MouseEvent, reach: number): number | null {
+    const { value: first } = this.hits(event).next(), own = first && this.pointOf(first.part);
+    if (!first || own) return own ?? null;
+    const away = ([node]: [Object3D, Home]) => 1000 * (node.getWorldPosition(new Vector3()).distanceTo(first.hit.point) - this.radiusOf(node));
+    const membranes = [...this.home].filter(([node]) => this.parts.get(node.name)!.kind === "membrane");
+    const nearest = membranes.reduce((best, each) => (away(each) < away(best) ? each : best));
+    return away(nearest) <= reach ? this.pointOf(this.parts.get(nearest[0].name)!) : null;
+  }
+
+  private radiusOf(membrane: Object3D): number {
+    const size = new Box3().setFromObject(membrane, true).getSize(new Vector3());
+    return Math.max(size.x, size.y, size.z) / 2;
+  }
+
+  /** The place of the body under the pointer that is chosen from, unless a part is in front of it. */
+  private onBody(event: MouseEvent): Hit | null {
+    if (!this.choosing) return null;
+    const [first] = this.ray(event).intersectObject(this.choosing.body.group, true), part = this.under(event);
+    return first && !(part && part.hit.distance < first.distance) ? this.choosing.body.hit(first) : null;
   }
 
   /** The part under the pointer, if it can be dragged; it moves across the normal of the membrane that is nearest to it. */
@@ -428,6 +481,12 @@ export class ArrayPanel {
   }
 
   private name(event: MouseEvent): void {
+    const place = this.onBody(event);
+    if (place) {
+      byId("pointed-part").textContent = `\u00b7 ${this.choosing!.words(place)}`;
+      this.sheet.style.cursor = "pointer";
+      return this.hover(null);
+    }
     const part = this.under(event)?.part ?? null, movable = part && this.dragging && byId<HTMLInputElement>("movable").checked ? DRAGGED[part.kind] : undefined;
     byId("pointed-part").textContent = part ? "\u00b7 " + part.label.replaceAll("_", " ") + (movable ? `: ${movable}` : "") : "\u00a0";
     this.sheet.style.cursor = movable ? "move" : "grab";

@@ -10,6 +10,7 @@ import { ComparePanel } from "./compare";
 import { CurvesPanel, unpack } from "./curves";
 import { tablePicture } from "./chart";
 import { button, byId, csv, download, forgetColours, grey, make, words } from "./dom";
+import { BODY_FILE, FitPanel } from "./fit";
 import { Form } from "./form";
 import { addressOf, designInAddress, forget, keep, keptInTab, keptUnsaved } from "./kept";
 import { handIn } from "./handing";
@@ -62,14 +63,14 @@ const colouring = new Colouring(recolour);
 const card = new PointCard(colouring);
 const colourOf = (point: number) => colouring.of(point);
 const curves = new CurvesPanel(byId("plots"), () => curveTitles, colourOf, choose, hover);
-const array = new ArrayPanel(byId("space"), colourOf, choose, hover, shared ? null : { drag: change, resize: (size, value) => change({ do: "resize", size, value }) });
+const array = new ArrayPanel(byId("space"), colourOf, click, hover, shared ? null : { drag: change, resize: (size, value) => change({ do: "resize", size, value }) });
 let figureWords: Record<string, Word> = {};
 const table = new PointsPanel(() => figureWords, colourOf, choose, hover);
 const check = new CheckPanel((part, place) => {
   array.light((each: Part) => each.part === part, [{ part, place }]);
   byId("space").scrollIntoView({ block: "nearest" });
 });
-new Tabs();
+const fit = new FitPanel(array, (message) => link?.send(message) ?? false, () => session);
 const job = new JobDialogue(
   (message) => link?.send(message) ?? false,
   (values, source) => change({ do: "restore", values, source }),
@@ -119,6 +120,13 @@ function next(): void {
 function answered(): void {
   underWay = null;
   next();
+}
+
+/** In the picture of the array: while the panel Touch is open a click is a touch, of the contact that the target has. */
+function click(point: number | null, second: boolean, reached: (reach: number) => number | null): void {
+  const touched = document.body.dataset.panel === "touch" && !shared ? reached(stated?.target?.contact_radius ?? 0) : null;
+  if (touched) touch.press(touched);
+  choose(point, second);
 }
 
 /** A point was clicked: it is lit, or compared with the one that is lit. */
@@ -209,6 +217,10 @@ function take(message: any): void {
       return;
     case "job": return job.learn(message);
     case "proposals": return job.take(message);
+    case "body":
+      progress("body", "");
+      return void fit.learn(message);
+    case "fitted": return progress("fit", "");
     case "cards": return live.cards(message.cards);
     case "refused-export": notice(message.message);
   }
@@ -225,6 +237,7 @@ function progress(stage: string, line: string): void {
   if (stage === "proposals") return job.progress(line);
   const place = document.querySelector(`[data-status="${stage}"]`);
   if (place) place.textContent = line;
+  if (stage === "fit") fit.progress(line);
   if (stage === "solve") byId("solve").textContent = line ? "Stop" : "Solve in 3-D";
   if (stage === "study") {
     byId<HTMLButtonElement>("study-run").disabled = line !== "";
@@ -236,6 +249,7 @@ function failed(message: any): void {
   if (message.stage === "proposals") return job.failed(message.message);
   progress(message.stage, "");
   if (message.stage === "touch") touch.failed();
+  if (message.stage === "body") fit.failed();
   const place = message.stage === "curves" ? byId("curves-note") : document.querySelector(`[data-problem="${message.stage}"]`);
   if (place) place.textContent = message.message;
   else notice(message.message);
@@ -308,6 +322,8 @@ function learn(message: any): void {
 function begin(): void {
   for (const stage of Object.keys(shownRevision)) delete shownRevision[stage];
   curves.outdate();
+  fit.begin();
+  progress("fit", "");
   if (live.on) failed({ stage: "live", message: "The studio was started again: press Live to listen." });
   if (pinned) link?.send({ do: "pin", values: pinned });
 }
@@ -333,6 +349,7 @@ function design(message: any): void {
   form.offer(message.sizes);
   if (message.hints) form.hint(message.hints.without_effect, message.hints.in_use);
   picture.take(stated, message.hints?.in_use ?? null);
+  if (!shared) fit.take(stated);
   byId("name").textContent = name;
   byId("unsaved").hidden = !unsaved;
   document.title = `${unsaved ? "● " : ""}${name} – acoustic-fem studio`;
@@ -432,19 +449,29 @@ function theme(choice: string): void {
   table.restyle();
   touch.restyle();
   study.restyle();
+  fit.restyle();
   snapshots.restyle();
 }
 
-async function upload(file: File): Promise<void> {
+/** Open a project file, or a design file with its file of places and its body if it has any. */
+async function upload(files: File[]): Promise<void> {
+  const body = files.find((each) => BODY_FILE.test(each.name)), json = files.find((each) => each.name.endsWith(".json"));
+  const file = files.find((each) => each !== body && each !== json) ?? json;
   try {
-    if (file.name.endsWith(".json")) {
+    if (body) await fit.handIn(body);
+    if (!file) return;
+    const source = [...file.name].slice(0, 100).join("");
+    if (file === json) {
       const { stated: values, pinned: other } = snapshots.read(await file.text());
-      change({ do: "restore", values, source: [...file.name].slice(0, 100).join(""), saved: true });
+      change({ do: "restore", values, source, saved: true });
       if (other) link?.send({ do: "pin", values: other });
       return;
     }
-    const found = await (await handIn("/designs", { name: file.name }, file)).json();
-    change({ do: "restore", values: found, source: [...file.name].slice(0, 100).join(""), saved: true });
+    const places = json ? JSON.stringify([await file.text(), await json.text()]) : null;
+    const asked = { name: file.name, ...(json ? { places: json.name } : {}) };
+    const found = await (await handIn("/designs", asked, places ?? file)).json();
+    if (found.note) notice(found.note);
+    change({ do: "restore", values: found.stated, source, saved: true });
   } catch (error) {
     notice((error as Error).message);
   }
@@ -525,8 +552,8 @@ byId<HTMLSelectElement>("prototypes").addEventListener("change", (event) => {
   choice.value = "";
 });
 byId<HTMLInputElement>("open").addEventListener("change", (event) => {
-  const file = (event.target as HTMLInputElement).files?.[0];
-  if (file) upload(file);
+  const files = [...((event.target as HTMLInputElement).files ?? [])];
+  if (files.length) upload(files);
   (event.target as HTMLInputElement).value = "";
 });
 byId("curves-csv").addEventListener("click", () => curves.table(name));
@@ -581,6 +608,7 @@ for (const card of document.querySelectorAll("main section, aside section")) {
   }
 }
 byId("array-png").addEventListener("click", () => array.picture(name));
+new Tabs((opened) => fit.opened(opened === "body"));
 const watcher = new IntersectionObserver((entries) => {
   for (const entry of entries) {
     if (entry.isIntersecting) cardsInSight.add(entry.target as HTMLElement);

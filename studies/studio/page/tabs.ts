@@ -5,7 +5,7 @@ const KEPT = "acoustic-fem-panel";
 
 export class Tabs {
   private tabs = [...document.querySelectorAll<HTMLButtonElement>("[role=tab]")];
-  constructor() {
+  constructor(private opened: (name: string) => void = () => {}) {
     for (const tab of this.tabs) tab.addEventListener("click", () => this.open(tab.id.slice(4)));
     byId("tab-design").parentElement!.addEventListener("keydown", (event) => this.key(event));
     let kept: string | null = null;
@@ -22,6 +22,7 @@ export class Tabs {
       byId(tab.getAttribute("aria-controls")!).hidden = !own;
     }
     document.body.dataset.panel = name;
+    this.opened(name);
     try { sessionStorage.setItem(KEPT, name); } catch { /* as above */ }
   }
 

@@ -26,9 +26,24 @@ SMALL = ARRAY.with_values({"lines": [{"between": ["A", "B"], "points": 2}], "lay
 def test_a_design_that_is_handed_in_is_read_by_the_reader_of_design_files(tmp_path: Path) -> None:
     path = Path(make_export(ARRAY, "design.toml", str(tmp_path), "lumped"))
     assert load_design(path) == ARRAY
-    assert read_upload(path.read_text(encoding="utf-8"), "mine.toml") == stated_values(load_design(path))
+    found = read_upload(path.read_text(encoding="utf-8"), "mine.toml")
+    assert found == {"stated": stated_values(load_design(path)), "note": ""}
     with pytest.raises(Refusal, match=r"^mine\.toml: "):
         read_upload("name = 3", "mine.toml")
+
+
+def test_a_design_on_a_body_is_read_with_its_places_or_is_not_fitted_yet() -> None:
+    design, text = load_design(ROBOT / "palm.toml"), (ROBOT / "palm.toml").read_text(encoding="utf-8")
+    places = (ROBOT / "palm.places.json").read_text(encoding="utf-8")
+    assert read_upload(text, "palm.toml", ("palm.places.json", places)) == {"stated": stated_values(design), "note": ""}
+    alone = read_upload(text, "palm.toml")
+    assert "If you have palm.places.json, open both files together" in alone["note"]
+    assert alone["stated"]["layout"]["kind"] == "serpentine"
+    assert alone["stated"]["surface"] == stated_values(design)["surface"]
+    with refused(Kind.MISMATCH, "places", value="handle.places.json"):
+        read_upload(text, "palm.toml", ("handle.places.json", places))
+    with pytest.raises(Refusal, match=r"^palm\.places\.json: "):
+        read_upload(text, "palm.toml", ("palm.places.json", "{}"))
 
 
 def test_a_library_is_the_one_that_solve_writes(tmp_path: Path) -> None:
@@ -72,13 +87,13 @@ def test_the_model_of_a_fitted_array_has_the_body_that_lies_beside_the_design(tm
     import trimesh
 
     design = load_design(ROBOT / "fingertip.toml")
-    found = model_of_array(design, ROBOT)
+    found = model_of_array(design, str(ROBOT / "fingertip.step"))
     assert [part["label"] for part in found["parts"] if part["kind"] == "body"] == ["body"]
     scene = trimesh.load(io.BytesIO(found["glb"]), file_type="glb")
     body = scene.geometry["body"]
     assert np.ptp(body.vertices, axis=0)[:2] == pytest.approx([18, 18], abs=0.1)  # a capsule
     (tmp_path / "fingertip.step").write_bytes((ROBOT / "fingertip.step").read_bytes() + b"\n")
     for folder, words in ((tmp_path, "has changed"), (tmp_path / "empty", "no such file")):
-        found = model_of_array(design, folder)
+        found = model_of_array(design, str(folder / "fingertip.step"))
         assert words in found["notes"][0]
         assert not [part for part in found["parts"] if part["kind"] == "body"]

@@ -13,7 +13,7 @@ from browser import PAINTED, ROOT, Studio, downloaded, field, opened, panel, sho
 pytestmark = [pytest.mark.slow, pytest.mark.end_to_end]
 #: Of axe-core's grades.
 FAULTS = ("moderate", "serious", "critical")
-PANELS = ("design", "sound", "touch", "make", "study")
+PANELS = ("design", "body", "sound", "touch", "make", "study")
 
 
 def settled(page: Any) -> None:

@@ -17,7 +17,7 @@ from studies.studio import server, session
 from studies.studio.guard import SECRET_HEADER, Guard
 from studies.studio.messages import written
 from studies.studio.page_words import MOST_UPLOAD
-from studies.studio.server import MOST_RECOGNIZER, MOST_RECORDING, studio_app
+from studies.studio.server import MOST_BODY, MOST_RECOGNIZER, MOST_RECORDING, studio_app
 from studies.studio.stage import MISTAKE
 from studies.studio.workplace import Workplace
 
@@ -316,6 +316,30 @@ def test_a_recognizer_that_is_none_is_refused_in_one_line(
     assert answer.status_code == status
     assert answer.json()["message"].startswith(message)
     assert "\n" not in answer.json()["message"]
+
+
+@pytest.mark.parametrize(
+    ("session", "size", "status", "message"),
+    [
+        ("nobody's", 10, 404, "there is no such session"),
+        ("own", MOST_BODY + 1, 413, "the body must be at most 64 MB"),
+    ],
+)
+def test_a_body_that_is_none_is_refused_in_one_line(
+    page: TestClient, session: str, size: int, status: int, message: str
+) -> None:
+    with page.websocket_connect("ws://127.0.0.1:8765/session", headers={"origin": ORIGIN}) as socket:
+        own = hello(page, socket)["session"]
+        asked = {"session": own if session == "own" else session, "name": "a.step"}
+        answer = page.post("/bodies", params=asked, content=b"x" * size, headers={"origin": ORIGIN})
+    assert (answer.status_code, answer.json()["message"]) == (status, message)
+
+
+def test_places_beside_a_design_must_be_two_texts(page: TestClient) -> None:
+    for content in (b"{}", b"[1", b'["a"]', b"3"):
+        asked = {"name": "a.toml", "places": "a.places.json"}
+        answer = page.post("/designs", params=asked, content=content, headers={"origin": ORIGIN})
+        assert (answer.status_code, answer.json()["message"]) == (400, "must be a list of two texts")
 
 
 @pytest.mark.parametrize(

@@ -79,7 +79,8 @@ def until(link: ClientConnection, is_it: Callable[[dict[str, Any]], bool], secon
 
 ROUTES = [
     *[("GET", path) for path in ("/", "/studio.js", "/studio.css", "/models/0.glb", "/files/a/b")],
-    *[("HEAD", "/studio.css"), ("POST", "/designs"), ("POST", "/recordings"), ("POST", "/recognizers")],
+    *[("GET", "/bodies/0"), ("POST", "/bodies"), ("HEAD", "/studio.css"), ("POST", "/designs")],
+    *[("POST", "/recordings"), ("POST", "/recognizers")],
 ]
 
 

@@ -1,0 +1,127 @@
+"""An array that is laid on a body in the studio: its faces are clicked, and the files are those of the command."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+from typing import Any
+from zipfile import ZipFile
+
+import pytest
+from browser import ROOT, Studio, downloaded, opened, panel, place_of, shown, studio, until
+
+from geometry import load_design
+from geometry.layout import lay_out
+from geometry.layout.overlaps import overlaps
+
+pytestmark = pytest.mark.slow
+ROBOT = Path(__file__).parents[3] / "docs" / "examples" / "robot"
+#: What the page says after a fit, and why there is none.
+SAID, PROBLEM = "document.getElementById('fit-said').textContent", "document.querySelector('[data-problem=fit]').textContent"
+
+
+def handed_in(page: Any, path: Path) -> None:
+    """Choose the file of a body."""
+    panel(page, "body")
+    page.set_input_files("#body-file", path)
+    until(page, f"{ROOT}.body === '{path.name}'")
+
+
+def clicked(page: Any, name: str) -> None:
+    """Click a place of the body at which the page names a face, in the middle of its first row."""
+    page.mouse.click(*place_of(page, name))
+
+
+def test_faces_are_chosen_by_clicks_and_the_fit_is_undone_saved_and_opened_again(
+    browser: Any, running: Studio, tmp_path: Path
+) -> None:
+    context = browser.new_context(viewport={"width": 1440, "height": 900})
+    page = opened(context, running)
+    page.select_option("#prototypes", "fingertip-3x4")
+    until(page, f"{ROOT}.revision === '1'")
+    handed_in(page, ROBOT / "fingertip.step")
+    assert page.locator("#body-said").inner_text().startswith("fingertip.step: 18 × 18 × 27 mm, 3 faces.")
+    assert page.locator("#region-said").inner_text() == "The whole body: 100 % of the surface."
+    clicked(page, "face 1")
+    until(page, "document.getElementById('region-said').dataset.faces === '1'")
+    assert page.locator("#region-said").inner_text() == "Face 1: 57 % of the surface."  # 2 pi 9 18 of all
+    clicked(page, "face 3")
+    until(page, "document.getElementById('region-said').dataset.faces === '1,3'")
+    clicked(page, "face 1")
+    until(page, "document.getElementById('region-said').dataset.faces === '3'")
+
+    page.click("#fit-run")
+    assert page.locator("[data-problem=fit]").inner_text() == "Give a pitch, or the number of points."
+    page.fill("#fit-pitch", "2")
+    page.click("#fit-run")
+    until(page, PROBLEM)
+    assert "surface.pitch = 2 mm must be at least 2.7 mm" in page.locator("[data-problem=fit]").inner_text()
+    page.fill("#fit-pitch", "6")
+    page.click("#fit-run")
+    assert page.locator("[data-problem=fit]").inner_text() == ""
+    page.click("#fit-stop")
+    until(page, f"{PROBLEM} === 'stopped'")
+    assert page.locator("#fit-run").is_enabled()
+    assert page.evaluate(f"{ROOT}.revision") == "1"
+
+    page.click("#fit-run")
+    until(page, SAID)
+    saved = downloaded(page, lambda: page.click("#fit-save"), tmp_path)
+    until(page, "document.getElementById('unsaved').hidden")
+    with ZipFile(saved) as packed:
+        packed.extractall(tmp_path)
+    design = load_design(tmp_path / "fingertip-3x4.toml")
+    assert design.surface is not None
+    assert design.layout.frozen is not None
+    assert design.surface.region.faces == (3,)
+    assert overlaps(design, lay_out(design)) == ()
+    assert page.locator("#fit-findings li").all_inner_texts() == list(design.layout.frozen.findings)
+    for part in design.layout.frozen.points:  # on the half ball alone
+        assert part.at[2] > 18
+    page.click("#undo")
+    until(page, f"{SAID} === ''")
+    page.click("#redo")
+    until(page, SAID)
+
+    other = context.new_page()
+    other.goto(page.url)
+    until(other, f"{ROOT}.shown_verdict")
+    names = ("fingertip-3x4.toml", "fingertip-3x4.places.json", "fingertip.step")
+    other.set_input_files("#open", [tmp_path / name for name in names])
+    until(other, f"document.querySelectorAll('#point option').length === {design.point_count + 1}")
+    panel(other, "body")
+    until(other, SAID)
+    assert other.locator("#region-said").inner_text().startswith("Face 3: ")
+    assert page.problems == []
+    context.close()
+
+
+def test_a_click_on_the_body_of_an_array_touches_its_point(browser: Any, tmp_path: Path) -> None:
+    for name in ("fingertip.toml", "fingertip.places.json", "fingertip.step"):
+        shutil.copy(ROBOT / name, tmp_path)
+    with studio(str(tmp_path / "fingertip.toml")) as own:
+        page = opened(browser.new_context(viewport={"width": 1440, "height": 900}), own)
+        shown(page, "surface", "model")
+        page.mouse.click(*place_of(page, "membrane 12"))
+        until(page, "document.getElementById('answer').dataset.named")
+        assert page.locator("#answer").inner_text().startswith("A tap on point 12; located: point ")
+        assert page.locator("#point").input_value() == "12"
+        panel(page, "body")
+        until(page, f"{ROOT}.body === 'fingertip.step'")
+        assert page.locator("#fit-pitch").input_value() == "6"
+        assert "faces within" in page.locator("#region-parts").inner_text()
+        assert page.problems == []
+
+
+def test_a_design_whose_places_are_not_fitted_yet_is_opened(browser: Any, tmp_path: Path) -> None:
+    for name in ("fingertip.toml", "fingertip.step"):
+        shutil.copy(ROBOT / name, tmp_path)
+    with studio(str(tmp_path / "fingertip.toml")) as own:
+        page = opened(browser.new_context(), own)
+        panel(page, "body")
+        until(page, f"{ROOT}.body === 'fingertip.step'")
+        assert page.locator("#fit-said").inner_text() == ""
+        page.click("#fit-run")
+        until(page, SAID)
+        assert page.locator("#fit-said").inner_text().startswith("24 points are laid on the body")
+        assert page.problems == []
