@@ -42,7 +42,11 @@ class Body:
     triangles: Corners
     """Corners of each facet, (m, 3) int64, anticlockwise from outside."""
     faces: Corners
-    """Number of the face that each facet belongs to, from 1 as CAD programs count, (m,) int64; 1 for a mesh file."""
+    """Number of the face that each facet belongs to, from 1 as CAD programs count, (m,) int64.
+
+    Of a mesh file, that of its painted group, the largest first: material of OBJ, solid of STL, object of 3MF, or
+    colour of facets. All are 1 if it has none.
+    """
     sha256: str
     """SHA-256 of the file."""
     findings: tuple[str, ...] = ()
@@ -81,8 +85,7 @@ def read_body(
     if suffix in _STEP:
         vertices, triangles, faces = _of_step(path)
     else:
-        vertices, triangles = _of_mesh(path, UNITS[unit])
-        faces = np.ones(len(triangles), np.int64)
+        vertices, triangles, faces = _of_mesh(path, UNITS[unit])
         vertices, triangles, faces, lost = _welded(vertices, triangles, faces)
         if lost:
             findings.append(f"{counted(lost, 'facet')} of no area left out")
@@ -129,29 +132,45 @@ def _of_step(path: Path) -> tuple[Array, Corners, Corners]:
     return found.vertices, found.triangles, found.faces + 1
 
 
-def _of_mesh(path: Path, scale: float) -> tuple[Array, Corners]:
+def _of_mesh(path: Path, scale: float) -> tuple[Array, Corners, Corners]:
     check_extras("reading a body", "cad")
     answer = read_apart(_mesh_in, path, f"a mesh in {path.suffix[1:].upper()}", Refusal, _MEMORY)
     end = 8 + 24 * int.from_bytes(answer[:8], "little")
     vertices = np.frombuffer(answer[8:end]).reshape(-1, 3)
-    triangles = np.frombuffer(answer[end:], np.int64).reshape(-1, 3)
-    if not len(triangles):
+    facets = np.frombuffer(answer[end:], np.int64).reshape(-1, 4)
+    if not len(facets):
         raise Refusal("has no facets", kind=Kind.UNSUITABLE, file=path)
     if not np.isfinite(vertices).all():
         raise Refusal("has corners that are not finite numbers", kind=Kind.UNSUITABLE, file=path)
-    return vertices * scale, triangles
+    return vertices * scale, facets[:, :3], facets[:, 3]
 
 
 def _mesh_in(path: str) -> bytes:
-    """In the process: number of corners of a mesh, their places and the facets; no other file is opened."""
+    """In the process: number of corners of a mesh, their places, and corners and group of each facet.
+
+    No other file is opened.
+    """
     import trimesh
 
     content = io.BytesIO(Path(path).read_bytes())
-    mesh = trimesh.load(content, file_type=Path(path).suffix[1:].lower(), force="mesh", process=False)
-    vertices, triangles = np.asarray(mesh.vertices, np.float64), np.asarray(mesh.faces, np.int64)
-    if vertices.ndim != 2 or triangles.ndim != 2:  # it holds nothing
-        vertices, triangles = np.empty((0, 3)), np.empty((0, 3), np.int64)
-    return len(vertices).to_bytes(8, "little") + vertices.tobytes() + triangles.tobytes()
+    loaded = trimesh.load(content, file_type=Path(path).suffix[1:].lower(), process=False)
+    pieces = loaded.dump() if isinstance(loaded, trimesh.Scene) else [loaded]
+    vertices, facets, groups = [np.empty((0, 3))], [np.empty((0, 4), np.int64)], 0
+    for piece in pieces:
+        if not isinstance(piece, trimesh.Trimesh) or not len(piece.faces):  # it holds nothing
+            continue
+        group = np.zeros(len(piece.faces), np.int64)
+        if piece.visual.kind == "face":
+            group = np.unique(piece.visual.face_colors, axis=0, return_inverse=True)[1].reshape(-1)
+        corners = np.asarray(piece.faces, np.int64) + sum(map(len, vertices))
+        facets.append(np.column_stack([corners, group + groups]))
+        vertices.append(np.asarray(piece.vertices, np.float64))
+        groups += int(group.max()) + 1
+    places, rows = np.vstack(vertices), np.vstack(facets)
+    a, b, c = (places[rows[:, k]] for k in range(3))
+    area = np.bincount(rows[:, 3], np.linalg.norm(np.cross(b - a, c - a), axis=1), groups)
+    rows[:, 3] = 1 + np.argsort(np.argsort(-area, kind="stable"))[rows[:, 3]]
+    return len(places).to_bytes(8, "little") + places.tobytes() + rows.tobytes()
 
 
 def _welded(vertices: Array, triangles: Corners, faces: Corners) -> tuple[Array, Corners, Corners, int]:

@@ -28,7 +28,9 @@ class SurfaceRegion(Section):
     """Part of the body that carries points: all that is stated must hold."""
 
     faces: tuple[Count, ...] = Field(
-        default=(), max_length=1000, description="numbers of the faces of a STEP file, from 1; default: all"
+        default=(),
+        max_length=1000,
+        description="numbers of the faces of a STEP file or of the painted groups of a mesh, from 1; default: all",
     )
     normal: NormalCone | None = Field(default=None, description="direction that the region faces")
     above: tuple[HalfSpace, ...] = Field(default=(), max_length=12, description="planes above which the region lies")
@@ -94,5 +96,5 @@ class SurfaceFit(Section):
         description="places where microphones are wanted; default: spread at the edge of the region",
     )
     forbidden: tuple[Count, ...] = Field(
-        default=(), max_length=1000, description="numbers of the faces of a STEP file where no microphone may be"
+        default=(), max_length=1000, description="numbers of the faces or groups where no microphone may be"
     )

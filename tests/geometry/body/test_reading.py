@@ -41,6 +41,38 @@ def test_a_step_file_keeps_the_numbers_of_its_faces(tmp_path):
     assert body.extent == pytest.approx([10, 20, 30])
 
 
+def painted(kind):
+    """A box of 12 facets as a text, of which the first four are painted otherwise than the others."""
+    box = trimesh.creation.box((10, 20, 30))
+    corners = [" ".join(map(repr, map(float, place))) for place in box.vertices]
+    if kind == "obj":
+        rows = [f"usemtl {'pad' if k < 4 else 'rest'}\nf {' '.join(map(str, f + 1))}" for k, f in enumerate(box.faces)]
+        return box, "\n".join([*(f"v {corner}" for corner in corners), *rows])
+    if kind == "ply":
+        head = ["ply", "format ascii 1.0", "element vertex 8", *(f"property float {axis}" for axis in "xyz")]
+        head += ["element face 12", "property list uchar int vertex_indices"]
+        head += [*(f"property uchar {colour}" for colour in ("red", "green", "blue")), "end_header"]
+        rows = [f"3 {' '.join(map(str, f))} {255 if k < 4 else 0} 9 9" for k, f in enumerate(box.faces)]
+        return box, "\n".join([*head, *corners, *rows, ""])
+    solids = []
+    for name, faces in (("pad", box.faces[:4]), ("rest", box.faces[4:])):
+        loops = ["outer loop\n" + "\n".join(f"vertex {corners[k]}" for k in f) + "\nendloop" for f in faces]
+        solids.append(f"solid {name}\n" + "\n".join(f"facet normal 0 0 0\n{loop}\nendfacet" for loop in loops))
+    return box, "\n".join(f"{solid}\nendsolid" for solid in solids)
+
+
+@pytest.mark.parametrize("kind", ["obj", "ply", "stl"])
+def test_painted_groups_of_a_mesh_are_its_faces(tmp_path, kind):
+    box, text = painted(kind)
+    (tmp_path / f"box.{kind}").write_text(text, encoding="utf-8")
+    body = read_body(tmp_path / f"box.{kind}")
+    assert np.bincount(body.faces).tolist() == [0, 8, 4]  # the largest first
+    own = {tuple(sorted(map(tuple, np.round(box.vertices[f], 6).tolist()))) for f in box.faces[:4]}
+    found = body.vertices[body.triangles[body.faces == 2]]
+    assert {tuple(sorted(map(tuple, np.round(facet, 6).tolist()))) for facet in found} == own
+    assert set(samples_of(body, 2.0).faces.tolist()) == {1, 2}
+
+
 def test_units_of_a_mesh_are_as_stated(tmp_path):
     path = mesh_file(tmp_path, ball(radius=0.01))
     assert read_body(path, unit="m").extent == pytest.approx([20, 20, 20], rel=1e-3)

@@ -14,11 +14,14 @@ from refusals import check_messages, refused
 import geometry
 from geometry import Kind
 from geometry.body import read_body
+from geometry.design.frozen_rules import inputs_of
 from geometry.layout import array_size, lay_out
 from geometry.layout.overlaps import overlaps
 from geometry.plan.routing import path_length, tightest_bend
 from geometry.schema.ports import least_angle
+from geometry.schema.surface_fields import SurfaceFit
 from geometry.surface import fit_design, fit_surface
+from geometry.surface.fit_file import open_design, read_fit, save_fitted
 from geometry.surface.order import Order, crossings, steps_of
 from geometry.surface.spread import arc_length, nearest_spacing
 from geometry.surface.tubes import rounded_ports
@@ -141,6 +144,28 @@ def test_the_cells_of_the_example_are_those_of_places_thrown_at_the_capsule(exam
     for radius in (0.5, 1.5, 2.5):
         reached = sum(cell.area * np.interp(radius, cell.distances, np.linspace(0, 1, 21)) for cell in cells) / area
         assert reached == pytest.approx((away <= radius).mean(), abs=0.03)
+
+
+def test_a_later_default_makes_no_old_places_new(example, monkeypatch):
+    """Places that were fitted before there was a field stay those of its first value, whatever its default becomes."""
+    stated = example.surface
+    before, equal = inputs_of(stated), inputs_of(stated.model_copy(update={"tubes": "equal"}))
+    assert before == example.layout.frozen.inputs != equal
+    monkeypatch.setattr(SurfaceFit.model_fields["tubes"], "default", "equal")
+    assert (inputs_of(stated), inputs_of(stated.model_copy(update={"tubes": "equal"}))) == (before, equal)
+
+
+def test_a_fitted_design_is_written_as_the_files_that_the_fit_took_and_wrote(example, tmp_path):
+    path = save_fitted(example, tmp_path)
+    assert geometry.load_design(path) == example
+    assert (tmp_path / "robot-fingertip.places.json").read_bytes() == (EXAMPLE / "fingertip.places.json").read_bytes()
+    assert open_design(path) == example
+    (tmp_path / "robot-fingertip.places.json").unlink()
+    unfitted = open_design(path)
+    assert (unfitted.layout.kind, unfitted.surface, unfitted.point_count) == ("serpentine", example.surface, 1)
+    shutil.copy(EXAMPLE / "fingertip.step", tmp_path)
+    task = read_fit(path)
+    assert (task.design, task.places.name) == (unfitted, "robot-fingertip.places.json")
 
 
 @pytest.mark.slow

@@ -17,7 +17,8 @@ from geometry.layout.overlaps import overlaps
 pytestmark = pytest.mark.slow
 ROBOT = Path(__file__).parents[3] / "docs" / "examples" / "robot"
 #: What the page says after a fit, and why there is none.
-SAID, PROBLEM = "document.getElementById('fit-said').textContent", "document.querySelector('[data-problem=fit]').textContent"
+SAID = "document.getElementById('fit-said').textContent"
+PROBLEM = "document.querySelector('[data-problem=fit]').textContent"
 
 
 def handed_in(page: Any, path: Path) -> None:
