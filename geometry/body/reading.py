@@ -44,8 +44,8 @@ class Body:
     faces: Corners
     """Number of the face that each facet belongs to, from 1 as CAD programs count, (m,) int64.
 
-    Of a mesh file, that of its painted group, the largest first: material of OBJ, solid of STL, object of 3MF, or
-    colour of facets. All are 1 if it has none.
+    Painted groups of a mesh file are its faces, the largest first: materials of OBJ, solids of STL, objects of 3MF,
+    or colours of facets. A mesh that is not painted is one face.
     """
     sha256: str
     """SHA-256 of the file."""

@@ -12,7 +12,7 @@ from geometry.design.array_design import ArrayDesign
 from geometry.ground.argument_checks import check_choice
 from geometry.ground.refusal import Kind, Refusal
 from studies.studio.messages import MessageError, text_of
-from studies.studio.stage import Job, Post, notifier, outcome, progress
+from studies.studio.stage import Job, Post, Stage, notifier, outcome, progress
 from studies.studio.workplace import Workplace
 
 
@@ -28,6 +28,7 @@ class FitJob:
     def __init__(self, workplace: Workplace, post: Post, take: Callable[[ArrayDesign, int], Awaitable[bool]]) -> None:
         self._workplace, self._post, self._take = workplace, post, take
         self._handed_in: Path | None = None
+        self._reading = Stage(self._read)
         self._task: asyncio.Task[None] | None = None
         self._job: Job | None = None
 
@@ -40,17 +41,21 @@ class FitJob:
         return self._handed_in or self._workplace.bodies.of(design)
 
     async def show(self, design: ArrayDesign, revision: int, message: Mapping[str, Any]) -> None:
-        """Read the body, and send the page what it shows of it.
+        """Begin to read the body, and send the page what it shows of it; of several that are asked for, the last.
 
         Raises:
             MessageError: no such message.
         """
         unit, skin = _reading(message)
-        body, job = self.body_of(design), Job("body", revision, design)
+        body = self.body_of(design)
         if body is None:
             named = "" if design.surface is None else design.surface.body
             await self._post({"type": "body", "name": named, "file": None})
-            return
+        else:
+            self._reading.ask(Job("body", revision, design, (body, unit, skin)))
+
+    async def _read(self, job: Job) -> None:
+        body, unit, skin = job.options
         await progress(job, f"reading {body.name}", self._post)
         found = await outcome(job, self._workplace.body(body, unit, skin), self._post)
         if found is not None:

@@ -80,7 +80,7 @@ class Workplace:
         self._decoder = TaskProcess(_import_decoder, "the decoder", in_background=False)
         # Seconds of Python: in a thread they would stand in the way of every curve.
         self._predictor = TaskProcess(_import_decoder, "the process of as-built sensors")
-        self._fitter = TaskProcess(_warm_up, "the process that fits arrays")
+        self._fitter = TaskProcess(_warm_up, "the process that fits arrays", in_background=False)
         self._fits = 0
         self._libraries: ResultCache[tuple[Library, QuickFidelity]] = ResultCache(MOST_RESULTS)
         self._results: ResultCache[dict[str, Any]] = ResultCache(MOST_RESULTS)
@@ -182,12 +182,11 @@ class Workplace:
             key = hashlib.sha256(repr((str(path), written, unit, skin)).encode()).hexdigest()
             found = self._shapes.get(key)
             if found is None:
-                found = {**self.cad.run(body_shape, (str(path), unit, skin)), "file": f"/bodies/{key}"}
+                found = {**self._fitter.run(body_shape, (str(path), unit, skin)), "file": f"/bodies/{key}"}
                 self._shapes.put(key, found)
             return found
 
-        self._threads["fit"].submit(self._fitter.start)  # a fit is not far
-        return dict(await self.in_thread("cad", work))
+        return dict(await self.in_thread("fit", work))
 
     def shape_file(self, key: str) -> bytes | None:
         """The shape of a body by its key; None where it is not kept."""

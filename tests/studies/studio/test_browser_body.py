@@ -8,7 +8,7 @@ from typing import Any
 from zipfile import ZipFile
 
 import pytest
-from browser import ROOT, Studio, downloaded, opened, panel, place_of, shown, studio, until
+from browser import ROOT, Studio, downloaded, opened, panel, shown, studio, until
 
 from geometry import load_design
 from geometry.layout import lay_out
@@ -25,12 +25,35 @@ def handed_in(page: Any, path: Path) -> None:
     """Choose the file of a body."""
     panel(page, "body")
     page.set_input_files("#body-file", path)
-    until(page, f"{ROOT}.body === '{path.name}'")
+    until(page, f"{ROOT}.body === '{path.name}'", 240)
+
+
+#: Places of the picture at which the page names a part, and of these the one in the middle.
+_MIDDLE = """(name) => {
+  const sheet = document.querySelector("#space canvas"), frame = sheet.getBoundingClientRect(), found = [];
+  const said = document.getElementById("pointed-part");
+  for (let down = 0.05; down < 0.95; down += 0.03) {
+    for (let across = 0.2; across < 0.8; across += 0.02) {
+      const [clientX, clientY] = [frame.left + across * frame.width, frame.top + down * frame.height].map(Math.round);
+      sheet.dispatchEvent(new PointerEvent("pointermove", { clientX, clientY }));
+      if (said.textContent.startsWith(`\u00b7 ${name}:`)) found.push([clientX, clientY]);
+    }
+  }
+  return found.length ? found[Math.floor(found.length / 2)] : null;
+}"""
 
 
 def clicked(page: Any, name: str) -> None:
-    """Click a place of the body at which the page names a face, in the middle of its first row."""
-    page.mouse.click(*place_of(page, name))
+    """Click the middle of a face, once the picture stands still: two answers agree."""
+    before: Any = None
+    for _ in range(100):
+        place = page.evaluate(_MIDDLE, name)
+        if place is not None and place == before:
+            page.mouse.click(*place)
+            return
+        before = place
+        page.wait_for_timeout(100)
+    pytest.fail(f"{name} is not found at one place; the last was {before}")
 
 
 def test_faces_are_chosen_by_clicks_and_the_fit_is_undone_saved_and_opened_again(
@@ -48,7 +71,7 @@ def test_faces_are_chosen_by_clicks_and_the_fit_is_undone_saved_and_opened_again
     assert page.locator("#region-said").inner_text() == "Face 1: 57 % of the surface."  # 2 pi 9 18 of all
     clicked(page, "face 3")
     until(page, "document.getElementById('region-said').dataset.faces === '1,3'")
-    clicked(page, "face 1")
+    clicked(page, "face 1")  # and left out again
     until(page, "document.getElementById('region-said').dataset.faces === '3'")
 
     page.click("#fit-run")
@@ -66,7 +89,7 @@ def test_faces_are_chosen_by_clicks_and_the_fit_is_undone_saved_and_opened_again
     assert page.evaluate(f"{ROOT}.revision") == "1"
 
     page.click("#fit-run")
-    until(page, SAID)
+    until(page, SAID, 240)
     saved = downloaded(page, lambda: page.click("#fit-save"), tmp_path)
     until(page, "document.getElementById('unsaved').hidden")
     with ZipFile(saved) as packed:
@@ -82,7 +105,7 @@ def test_faces_are_chosen_by_clicks_and_the_fit_is_undone_saved_and_opened_again
     page.click("#undo")
     until(page, f"{SAID} === ''")
     page.click("#redo")
-    until(page, SAID)
+    until(page, SAID, 240)
 
     other = context.new_page()
     other.goto(page.url)
@@ -91,38 +114,33 @@ def test_faces_are_chosen_by_clicks_and_the_fit_is_undone_saved_and_opened_again
     other.set_input_files("#open", [tmp_path / name for name in names])
     until(other, f"document.querySelectorAll('#point option').length === {design.point_count + 1}")
     panel(other, "body")
-    until(other, SAID)
+    until(other, SAID, 240)
     assert other.locator("#region-said").inner_text().startswith("Face 3: ")
     assert page.problems == []
     context.close()
 
 
-def test_a_click_on_the_body_of_an_array_touches_its_point(browser: Any, tmp_path: Path) -> None:
-    for name in ("fingertip.toml", "fingertip.places.json", "fingertip.step"):
-        shutil.copy(ROBOT / name, tmp_path)
-    with studio(str(tmp_path / "fingertip.toml")) as own:
-        page = opened(browser.new_context(viewport={"width": 1440, "height": 900}), own)
-        shown(page, "surface", "model")
-        page.mouse.click(*place_of(page, "membrane 12"))
-        until(page, "document.getElementById('answer').dataset.named")
-        assert page.locator("#answer").inner_text().startswith("A tap on point 12; located: point ")
-        assert page.locator("#point").input_value() == "12"
-        panel(page, "body")
-        until(page, f"{ROOT}.body === 'fingertip.step'")
-        assert page.locator("#fit-pitch").input_value() == "6"
-        assert "faces within" in page.locator("#region-parts").inner_text()
-        assert page.problems == []
-
-
-def test_a_design_whose_places_are_not_fitted_yet_is_opened(browser: Any, tmp_path: Path) -> None:
+def test_a_design_is_opened_before_it_is_fitted_and_a_click_on_its_body_touches_a_point(
+    browser: Any, tmp_path: Path
+) -> None:
     for name in ("fingertip.toml", "fingertip.step"):
         shutil.copy(ROBOT / name, tmp_path)
     with studio(str(tmp_path / "fingertip.toml")) as own:
-        page = opened(browser.new_context(), own)
+        context = browser.new_context(viewport={"width": 1440, "height": 900})
+        page = opened(context, own)
         panel(page, "body")
-        until(page, f"{ROOT}.body === 'fingertip.step'")
+        until(page, f"{ROOT}.body === 'fingertip.step'", 240)
         assert page.locator("#fit-said").inner_text() == ""
+        assert page.locator("#fit-pitch").input_value() == "6"
+        assert "faces within" in page.locator("#region-parts").inner_text()
         page.click("#fit-run")
-        until(page, SAID)
-        assert page.locator("#fit-said").inner_text().startswith("24 points are laid on the body")
+        until(page, SAID, 240)
+        assert page.locator("#fit-said").inner_text().startswith("24 points are laid on the body without overlaps.")
+
+        shown(page, "surface", "model")
+        clicked(page, "membrane 12")
+        until(page, "document.getElementById('answer').dataset.named", 240)
+        assert page.locator("#answer").inner_text().startswith("A tap on point 12; located: point ")
+        assert page.locator("#point").input_value() == "12"
         assert page.problems == []
+        context.close()

@@ -136,6 +136,7 @@ def test_a_page_sees_the_body_that_was_handed_in_else_that_of_its_design(tmp_pat
         await job.show(FITTED, 0, {"unit": "mm"})
         job.take_body(BODY)
         await job.show(FITTED, 0, {"unit": "inch", "skin": 2})
+        await settle()
         for wrong in ({}, {"unit": "yard"}, {"unit": "mm", "skin": 0}, {"unit": "mm", "skin": "first"}):
             with pytest.raises(MessageError):
                 await job.show(FITTED, 0, wrong)
