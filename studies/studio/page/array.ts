@@ -154,6 +154,7 @@ export class ArrayPanel {
 
   /** Show a body to choose from, or no longer. */
   offer(choosing: Choosing | null): void {
+    if (!choosing && !this.choosing) return;
     const before = this.choosing, look = before?.body !== choosing?.body || before?.alone !== choosing?.alone;
     before?.body.group.removeFromParent();
     this.choosing = choosing;

@@ -40,6 +40,8 @@ export class FitPanel {
     for (const id of ["body-unit", "body-skin"]) byId(id).addEventListener("change", () => this.ask());
     byId("region-clear").addEventListener("click", () => this.choose({ region: { faces: [], normal: null, above: [], least_radius: null } }));
     byId("region-least").addEventListener("change", () => this.choose({ region: { ...this.chosen.region, least_radius: typed("region-least") as number | null } }));
+    byId("region-faces").addEventListener("change", () => this.choose({ region: { ...this.chosen.region,
+      faces: byId<HTMLInputElement>("region-faces").value.split(",").map(Number).filter((each) => Number.isInteger(each) && each > 0) } }));
     byId("fit-run").addEventListener("click", () => this.fit());
     byId("fit-stop").addEventListener("click", () => this.send({ do: "stop", stage: "fit" }));
     byId("fit-save").addEventListener("click", () => this.send({ do: "fitted-files" }));
@@ -64,8 +66,8 @@ export class FitPanel {
     const surface = JSON.stringify(stated.surface ?? null);
     if (surface !== this.taken) {
       const other = JSON.parse(this.taken || "null")?.body !== stated.surface?.body;
+      if (stated.surface || !this.taken) this.fill(stated.surface ?? {}); // what was chosen stays for a design on no body
       this.taken = surface;
-      this.fill(stated.surface ?? {});
       if (other) this.asked = "";
     }
     if (this.open && !this.asked) this.ask();
@@ -206,6 +208,7 @@ export class FitPanel {
     this.array.offer({ body: this.view!, alone, click: (hit) => this.click(hit), words: (hit) => this.words(hit) });
     const { region, forbidden, microphones } = this.chosen;
     byId("region-said").textContent = `${region.faces.length ? `Face${region.faces.length > 1 ? "s" : ""} ${region.faces.join(", ")}` : region.normal || region.above.length ? "All faces" : "The whole body"}${region.normal || region.above.length ? ", as far as the conditions below hold" : ""}: ${words(100 * share, 2)} % of the surface.`;
+    byId<HTMLInputElement>("region-faces").value = region.faces.join(", ");
     byId("region-said").dataset.faces = region.faces.join(",");
     const remove = (act: () => void, label: string) => button("×", act, { "aria-label": `remove: ${label}` });
     const parts: HTMLElement[] = [];

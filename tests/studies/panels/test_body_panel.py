@@ -13,7 +13,6 @@ from refusals import refused
 
 from geometry import Kind, Refusal, load_design, prototype
 from geometry.body import read_body
-from geometry.surface import fit_design
 from studies.panels.body_panel import body_shape, fit_to_body, write_fitted
 from studies.panels.form import stated_values
 
