@@ -312,6 +312,8 @@ class StatedArray(Section):
             return tuple(f"lines.{number}.lengths.{segment}" for segment in range(line.points + 1))
         outer = "microphone_tube" if line.microphone_tube is None else f"lines.{number}.microphone_tube"
         inner = "tube" if line.tube is None else f"lines.{number}.tube"
+        if line.pattern is None or line.pattern.tubes is None:
+            return (outer, *(inner,) * (line.points - 1), outer)
         kinds = (self.tube_kind_at(line, segment) for segment in range(1, line.points))
         return (outer, *(inner if kind == PLAIN else f"tube_kinds.{kind}" for kind in kinds), outer)
 
