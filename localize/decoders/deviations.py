@@ -35,27 +35,45 @@ class DeviatingTables:
     Args:
         tables: of the hypotheses, point by point.
         hypotheses: what they are of.
-        whiten: what makes noise and sound white, (n, n) float64, 1/Pa.
+        whiten: what makes noise and sound white, (size, n) float64, 1/Pa.
         options: of the decoder.
+        at_once: whether all tables are made now; if not, each is when it is first used.
     """
 
-    def __init__(self, tables: DecoderTables, hypotheses: Hypotheses, whiten: Array, options: TolerantOptions) -> None:
+    def __init__(
+        self,
+        tables: DecoderTables,
+        hypotheses: Hypotheses,
+        whiten: Array,
+        options: TolerantOptions,
+        at_once: bool = True,
+    ) -> None:
         self.tables, self._options = tables, options
+        self._hypotheses, self._whiten = hypotheses, whiten
         count, self.size, self.rank = tables.vectors.shape
         each = hypotheses.deviations.shape[1]
         self.shapes = max(1, min(each, int(options.shape_numbers // (count * self.size * self.rank))))
         self.changes = np.empty((count, self.shapes * self.size, self.rank), np.float32)
         self.beside = np.empty((count, self.size, self.size - self.rank))
-        for number, response in enumerate(hypotheses.responses):
-            for point, touched in enumerate(response.at(DEVIATING)):
-                table = point * len(hypotheses.responses) + number
-                vectors = tables.vectors[table]
-                shapes = hypotheses.deviations[number, : self.shapes, point]
-                moments = deviation_moments(touched, shapes, whiten.T @ vectors)
+        self._made = np.zeros(count, bool)
+        if at_once:
+            self._make(np.arange(count))
+
+    def _make(self, tables: NDArray[np.int64]) -> None:
+        """Make those of the tables that are not made yet."""
+        missing = np.unique(tables[~self._made[tables]])
+        each = len(self._hypotheses.responses)
+        for number in np.unique(missing % each):
+            touched = self._hypotheses.responses[number].at(DEVIATING)
+            for table in missing[missing % each == number]:
+                vectors, point = self.tables.vectors[table], table // each
+                shapes = self._hypotheses.deviations[number, : self.shapes, point]
+                moments = deviation_moments(touched[point], shapes, self._whiten.T @ vectors)
                 self.beside[table] = np.linalg.qr(vectors, mode="complete")[0][:, self.rank :]
                 basis = np.concatenate([vectors, self.beside[table]], axis=1)
-                change = (basis.T @ whiten) @ moments
+                change = (basis.T @ self._whiten) @ moments
                 self.changes[table] = change.reshape(-1, self.rank)
+        self._made[missing] = True
 
     def scores(self, x: Array, tables: NDArray[np.int64]) -> Array:
         """Log-likelihoods of recordings by hypotheses and their deviations, without those of noise alone.
@@ -67,6 +85,7 @@ class DeviatingTables:
         Returns:
             (k, n) float64, nats.
         """
+        self._make(tables)
         options, powers = self._options, self._options.tried_powers
         recordings, temperature = (len(tables), *x.shape[:2]), options.relative_temperature * options.temperature
         flat = x.reshape(-1, self.size)

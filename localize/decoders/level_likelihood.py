@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Callable, Iterable
 from functools import reduce
 from typing import TypeAlias
@@ -13,6 +14,7 @@ from geometry.ground.typed import Array
 from localize.decoders.decoder_options import DecoderOptions
 from localize.decoders.frame_covariance import joint_whitening
 from localize.decoders.likelihood import Bounds, Screen, assumed_noise, tables_of
+from localize.decoders.partly_known import FEWEST, known_directions, partly_known_tables
 from localize.decoders.surroundings import Surroundings
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import cut_frames
@@ -44,7 +46,8 @@ class LevelLikelihood:
         self.options = options
         noise = assumed_noise(around.noise, options)
         self.whitening = tuple(whiten(response, noise, level) for level in around.ambient)
-        """Matrix that makes noise and sound of each level white; (n, n) float64, 1/Pa, each."""
+        """Matrix that makes noise and sound of each level white; (n, n) float64, 1/Pa, each. Of a frame that is
+        known in part, only the rows that are known."""
         self.tables = tuple(
             tables_of(touched, matrix, level, options)
             for matrix, level in zip(self.whitening, around.ambient, strict=True)
@@ -91,6 +94,29 @@ class LevelLikelihood:
         level = np.argmax(whole, axis=0)[None]
         left = np.array(power) / self.options.temperature - 2 * np.array(fit)
         return np.asarray(np.take_along_axis(left, level, 0)[0] / self._empty)
+
+    def partly_known(self, unknown: Array) -> LevelLikelihood | None:
+        """Likelihood of frames to which signals are added whose amplitudes nobody knows.
+
+        Args:
+            unknown: signals, (n, n_microphone, 250) float64, Pa, with amplitudes of order 1.
+
+        Returns:
+            None if the signals leave too little of a frame.
+        """
+        found = copy.copy(self)
+        flat = unknown.reshape(len(unknown), -1)
+        parts = [known_directions((flat @ tables.reduce).T) for tables in self.tables]
+        if min(len(kept) for kept, _ in parts) < FEWEST:
+            return None
+        found.whitening = tuple(kept @ white for (kept, _), white in zip(parts, self.whitening, strict=True))
+        found.tables = tuple(
+            partly_known_tables(tables, kept, left_out)
+            for tables, (kept, left_out) in zip(self.tables, parts, strict=True)
+        )
+        found.screens = tuple(Screen(tables, len(self.tables) > 1) for tables in found.tables)
+        found._empty = self._empty * found.tables[0].reduce.shape[1] / self.tables[0].reduce.shape[1]
+        return found
 
     def likeliest_level(self, frames: Array) -> int:
         """Index of the level of the sound around frames (n, n_microphone, 250), Pa, that explains them best."""

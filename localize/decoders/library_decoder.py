@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import copy
 from dataclasses import replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -79,6 +80,11 @@ class LibraryDecoder(Locator):
         return False
 
     @property
+    def needs_whole_frames(self) -> bool:
+        """True if no part of a frame can be left out: what is known is enough."""
+        return False
+
+    @property
     def assumptions(self) -> str:
         """Assumptions about the sensor, in words."""
         return self.array.assumptions
@@ -93,6 +99,18 @@ class LibraryDecoder(Locator):
         fitted = known.get("fit") or "self_calibration" in known or "brought_from_air" in known
         partly = measured is not None and len(measured) < self.point_count
         return self.options.fitted_misfit if fitted or partly else self.options.calibrated_misfit
+
+    @one_thread()
+    def without(self, unknown: Array) -> Self | None:
+        """The decoder of frames in which signals of unknown amplitudes lie; as of :class:`localize.Locator`."""
+        likelihood = self.likelihood.partly_known(unknown)
+        return None if likelihood is None else self._decided_by(likelihood)
+
+    def _decided_by(self, likelihood: LevelLikelihood) -> Self:
+        """The decoder with another likelihood, of the same hypotheses in the same order."""
+        found = copy.copy(self)
+        found.likelihood = likelihood
+        return found
 
     def misfit(self, frames: Array) -> Array:
         """Residual that the best point leaves of each frame, over that of the assumed noise.
@@ -155,6 +173,11 @@ class PointDecoder(LibraryDecoder):
     @cached_property
     def _search(self) -> BoundedSearch:
         return BoundedSearch(self.likelihood)
+
+    def _decided_by(self, likelihood: LevelLikelihood) -> Self:
+        found = super()._decided_by(likelihood)
+        found.__dict__.pop("_search", None)  # which is of the other likelihood
+        return found
 
     @property
     def no_graph(self) -> str:

@@ -13,6 +13,7 @@ than that of the decoder of a calibrated sensor, and by a higher one still if ev
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +28,7 @@ from localize.decoders.decoder_options import TolerantOptions
 from localize.decoders.deviations import DeviatingTables
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
 from localize.decoders.hypotheses import as_built_hypotheses, bare_library
+from localize.decoders.level_likelihood import LevelLikelihood
 from localize.decoders.library_decoder import LibraryDecoder
 from localize.decoders.likelihood import Bounds, Screen
 from localize.decoders.surroundings import Ambient, Surroundings
@@ -92,6 +94,15 @@ class TolerantDecoder(LibraryDecoder):
         return TolerantDecoder(
             self._library, self.tolerances, self.microphone_noise, self.ambient, microphones, self.options
         )
+
+    def _decided_by(self, likelihood: LevelLikelihood) -> Self:
+        found = super()._decided_by(likelihood)
+        found._bounds = tuple(Bounds(tables) for tables in found.tables)
+        found.deviating = tuple(
+            DeviatingTables(tables, self.hypotheses, each, self.options, at_once=False)
+            for tables, each in zip(found.tables, likelihood.whitening, strict=True)
+        )
+        return found
 
     def joint_log_likelihood(self, batch: Array) -> Array:
         """Log-likelihood of every point, all frames of each signal together: they are of one sensor.

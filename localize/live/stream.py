@@ -23,6 +23,7 @@ from localize.decoders.judgement import ResidualTest
 from localize.decoders.motion_test import MotionTest
 from localize.decoders.reconstruct import Reconstructor
 from localize.decoders.sound_test import SoundTest
+from localize.live.clipping import ClippedSamples
 from localize.live.events import HOP, Decision, Fault, FaultKind
 from localize.live.frame_classifier import Fallback, FrameClassifier
 from localize.live.front_end import HighPass, Hum, NoiseFloor
@@ -102,6 +103,9 @@ class TouchStream:
         channels = len(self._microphones)
         self._high_pass = HighPass(channels, options.high_pass)
         self._hum, self._floor = Hum(channels, options), NoiseFloor(channels, options)
+        self._clipped = None
+        if equaliser is not None and limit is not None:
+            self._clipped = ClippedSamples(channels, limit, equaliser, options.high_pass)
         # An estimate needs a window, the 16 of a hop some samples more.
         self._history = max(FRAME, 0 if reconstructor is None else reconstructor.window + HOP - 1)
         # Pressures, pressures behind the front end, and samples as they come.
@@ -195,6 +199,8 @@ class TouchStream:
         self._behind_gap = self._next is not None
         self._hum.reset()
         self._floor.reset()
+        if self._clipped is not None:
+            self._clipped.reset()
         self._hum_coming = self._hum.coming(self._due)  # up to the next decision
 
     def _skip(self, run: Array, good: NDArray[np.bool_], events: list[Decision | Fault]) -> None:
@@ -215,6 +221,8 @@ class TouchStream:
                 self._end = kept
             came = run[:, taken : taken + count]
             part = self._equalised(came)
+            if self._clipped is not None:
+                self._clipped.take(came)
             self._buffer[[0, 2], :, self._end : self._end + count] = part, came
             if self._end >= FRAME:
                 self._buffer[1, :, self._end : self._end + count] = self._conditioned(part)
@@ -248,7 +256,16 @@ class TouchStream:
 
     def _classify(self, raw: Array, frame: Array, came: Array, events: list[Decision | Fault]) -> None:
         """Classify a frame: its pressures, those behind the front end, and the samples as they came."""
-        good = ~self._bad_channels(came, events)
+        dead, clipped = self._bad_channels(came, events)
+        good = ~(dead | clipped)
+        if self._clipped is not None and self._clipped.channels.any():
+            good &= ~self._clipped.channels
+            if self._classifier_of(good) is None and not dead.any():
+                if self._clipped.in_frame:
+                    self._classify_clipped(self._clipped, frame, events)
+                    return
+                frame = self._begun_anew(came)
+                raw, good = self._buffer[0, :, :FRAME], np.ones(len(good), bool)
         if self.options.follow and self._classifier_of(good) is not None:
             self._floor.take(frame)
             good &= ~self._channels_of_other_noise(frame, events)
@@ -313,8 +330,34 @@ class TouchStream:
         sure = float(found[point - 1])
         events.append(Decision(self._time, "touch", level, point, sure, found, weight, newest, mean, kept, shape))
 
-    def _bad_channels(self, raw: Array, events: list[Decision | Fault]) -> NDArray[np.bool_]:
-        """Channels of a frame that are dead or clipped, (n_microphone,); a fault is reported for each."""
+    def _classify_clipped(self, clipped: ClippedSamples, frame: Array, events: list[Decision | Fault]) -> None:
+        """Classify a frame with clipped samples by all that they leave known."""
+        level = float(frame.std(1).max())
+        if self._behind_gap:
+            self._behind_gap = self._begins_loud(frame, self._floor.rms)
+        found = None
+        if not self._behind_gap:
+            found, self._state = clipped.decided(self.locator, frame, self._state, self.options)
+        if found is None:
+            events.append(Decision(self._time, "unreadable", level))
+            return
+        point, newest = int(found.argmax()) + 1, float(frame[:, -NEWEST:].std(1).max())
+        events.append(Decision(self._time, "touch", level, point, float(found[point - 1]), found, newest=newest))
+
+    def _begun_anew(self, came: Array) -> Array:
+        """The newest frame, with filters that begin with it: what they remembered was clipped, and is a gap now."""
+        assert self._equaliser is not None
+        assert self._clipped is not None
+        self._buffer[2, :, :FRAME] = came.copy()
+        self._buffer[0, :, :FRAME] = self._equaliser.begin(self._buffer[2, :, :FRAME])
+        self._buffer[1, :, :FRAME] = self._high_pass.begin(self._buffer[0, :, :FRAME])
+        self._clipped.begin()
+        self._end, self._behind_gap = FRAME, True
+        self._loudest, self._least = 0.0, np.inf
+        return np.asarray(self._buffer[1, :, :FRAME])
+
+    def _bad_channels(self, raw: Array, events: list[Decision | Fault]) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+        """Channels of a frame that are dead, and that are clipped, (n_microphone,); a fault is reported for each."""
         highest, lowest = raw.max(1), raw.min(1)
         dead = (highest == lowest) | (raw.std(1) < self.options.dead_fraction * self.locator.noise_rms)
         clipped = np.maximum(highest, -lowest) >= (np.inf if self.limit is None else self.limit)
@@ -323,7 +366,7 @@ class TouchStream:
                 self._tell("dead channel", channel, self._number, events)
             if clipped[channel]:
                 self._tell("clipped", channel, self._number, events)
-        return np.asarray(dead | clipped)
+        return dead, clipped
 
     def _channels_of_other_noise(self, frame: Array, events: list[Decision | Fault]) -> NDArray[np.bool_]:
         """Channels whose noise is missing or far above that of the decoder, (n_microphone,); a fault is reported."""

@@ -96,6 +96,22 @@ class Locator:
         """
         raise Refusal("cannot be left out: a network needs all microphones", kind=Kind.UNSUITABLE, field="microphones")
 
+    def without(self, unknown: Array) -> Self | None:
+        """The localizer of frames in which signals lie whose amplitudes nobody knows, such as clipped samples.
+
+        Args:
+            unknown: signals, (n, n_microphone, 250) float64, Pa, with amplitudes of order 1.
+
+        Returns:
+            None if the signals leave too little of a frame, or if the localizer needs whole frames.
+        """
+        return None
+
+    @property
+    def needs_whole_frames(self) -> bool:
+        """True if no part of a frame can be left out."""
+        return True
+
     @property
     def needs_all_microphones(self) -> bool:
         """True if nothing can be located without one of the microphones."""

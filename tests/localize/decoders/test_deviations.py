@@ -101,3 +101,11 @@ def test_frames_of_one_recording_share_their_deviations(response: ArrayResponse)
     apart = sum(deviations.scores(x[:, [k]], np.array([point]))[0, 0] for k in range(3))
     # Each frame of its own pays anew for the deviation that it needs.
     assert together > apart
+
+
+def test_tables_that_are_made_when_they_are_needed_are_the_same(response: ArrayResponse) -> None:
+    eager, whiten = tables(response)
+    later = DeviatingTables(eager.tables, eager._hypotheses, whiten, OPTIONS, at_once=False)
+    x = np.random.default_rng(0).standard_normal((2, 1, eager.size))
+    for chosen in (np.array([2, 0]), np.array([1, 2, 3])):
+        assert np.array_equal(later.scores(x, chosen), eager.scores(x, chosen))
