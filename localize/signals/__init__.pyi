@@ -37,7 +37,6 @@ from .motion import (
 from .noise_model import (
     NoiseChoice as NoiseChoice,
     NoiseSpectrum as NoiseSpectrum,
-    input_density as input_density,
     microphone_noise as microphone_noise,
 )
 from .propagation import (

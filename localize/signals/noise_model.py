@@ -2,9 +2,9 @@
 
 A microphone records its response times the pressure in its chamber, plus noise of its own. The vent makes the
 response fall below its corner, the noise does not fall with it: as a pressure in the chamber the noise has the
-density n(f) / |R(f)|, with the density n and the response R of :mod:`acoustic_fem.network.microphone`. Signals in this
-package are pressures in the chambers, and all microphones are alike, so that ratios of recorded signals are those of
-the pressures.
+density of :func:`acoustic_fem.network.noise_density_behind_vent`. :mod:`acoustic_fem.library.noise_floor` takes it from
+there too, with ``noise_at="output"``. Signals in this package are pressures in the chambers, and all microphones are
+alike, so that ratios of recorded signals are those of the pressures.
 
 Below 1 Hz, the lowest frequency of the stimuli, such a noise grows without limit; a recording is taken as high-passed
 there.
@@ -20,7 +20,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem import network
-from acoustic_fem.quantities.checks import FrequencyLike
 from acoustic_fem.quantities.local_air import AirLike
 from geometry.ground.refusal import Kind, Refusal
 from geometry.schema.part_fields import Microphone
@@ -75,24 +74,6 @@ class NoiseSpectrum:
         return float(np.sqrt(self.power.sum()))
 
 
-def input_density(microphone: Microphone, frequency: FrequencyLike, air: AirLike) -> NDArray[np.float64]:
-    """Density of a microphone's noise as a pressure in its chamber, n / |R|.
-
-    Args:
-        microphone: from the design.
-        frequency: Hz, (n,) or any other shape.
-        air: a :class:`acoustic_fem.LocalAir`, or a gas of its own.
-
-    Returns:
-        Same shape as the frequencies, float64, Pa/sqrt(Hz).
-
-    Raises:
-        Refusal: a frequency that is not finite and positive.
-    """
-    density = network.noise_density(microphone, frequency)
-    return np.asarray(density / np.abs(network.response(microphone, frequency, air)))
-
-
 @lru_cache(maxsize=16)
 def microphone_noise(microphone: Microphone, air: AirLike) -> NoiseSpectrum:
     """Noise of a design's microphone over 1 to 500 Hz, as a pressure in its chamber.
@@ -106,7 +87,7 @@ def microphone_noise(microphone: Microphone, air: AirLike) -> NoiseSpectrum:
     lines = round(high)
     power = np.bincount(
         np.clip(np.rint(frequency), 1, lines - 1).astype(np.int64),
-        weights=input_density(microphone, frequency, air) ** 2 / _STEPS_PER_HERTZ,
+        weights=network.noise_density_behind_vent(microphone, frequency, air) ** 2 / _STEPS_PER_HERTZ,
         minlength=lines,
     )
     return NoiseSpectrum(power.astype(np.float64), f"microphone {microphone.model}: {microphone.source}")

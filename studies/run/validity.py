@@ -10,9 +10,9 @@ from acoustic_fem.duct.tube_opening import LARGEST_SHEAR_NUMBER
 from acoustic_fem.library.model_limits import SLIP_WARNED, uniform_up_to, widest_cavity
 from acoustic_fem.membrane.design_discs import design_disc
 from acoustic_fem.membrane.rubber import causal_slope
+from acoustic_fem.network.microphone import noise_density_behind_vent
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.array_design import ArrayDesign
-from localize.signals.noise_model import input_density
 from localize.signals.stimulus import BAND
 
 #: Weakest sinusoid of the paper's stimuli, Pa, and length of the localizer's frames, s.
@@ -61,7 +61,7 @@ def model_validity(design: ArrayDesign, medium: Medium, weakest_level: float) ->
     shear = max(bores) / 2 * 1e-3 * math.sqrt(2 * math.pi * highest / medium.kinematic_viscosity)
     material = design.material(design.membrane.material)
     missing = causal_slope(material.loss_factor or 0.0) if material.law == "constant" else 0.0
-    noise = float(input_density(microphone, highest, medium)) / math.sqrt(FRAME_SECONDS)
+    noise = float(noise_density_behind_vent(microphone, highest, medium)) / math.sqrt(FRAME_SECONDS)
     heard = weakest_level + 20 * math.log10(WEAKEST_SINUSOID / math.sqrt(2) / noise)
     return (
         Validity(

@@ -27,7 +27,7 @@ from acoustic_fem.batch.topology import Topology
 from acoustic_fem.calibration.fitted_model import PartScatter
 from acoustic_fem.calibration.manifest import REFERENCE
 from acoustic_fem.library.solving import solve
-from acoustic_fem.network.microphone import noise_density, response
+from acoustic_fem.network.microphone import noise_density_behind_vent, response
 from acoustic_fem.network.microphone_output import output_response
 from acoustic_fem.quantities.checks import FrequencyLike, frequencies
 from acoustic_fem.quantities.fidelity import FIDELITIES, ONE_DESIGN
@@ -411,7 +411,7 @@ class Rig:
         # noise of the microphones as a pressure in their chambers, above 0.5 Hz
         heard = np.maximum(grid, 0.5)
         medium = design_air(self.design)
-        density = noise_density(self.design.microphone, heard) / np.abs(response(self.design.microphone, heard, medium))
+        density = noise_density_behind_vent(self.design.microphone, heard, medium)
         white = np.fft.rfft(random.standard_normal((len(spectra), total)))
         spectra[1:] += white[1:] * density * np.sqrt(recorder.rate / 2)
         spectra[0] += white[0] * recorder.reference_noise

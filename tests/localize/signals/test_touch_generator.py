@@ -12,12 +12,13 @@ from scipy.signal import lfilter
 import acoustic_fem
 import geometry
 import localize
+from acoustic_fem.network import noise_density_behind_vent
 from acoustic_fem.numerics.frequency_splines import from_zero, interpolated_from_zero, interpolation_from_zero
 from geometry import Kind
 from localize import ArrayResponse, TouchGenerator
 from localize.signals import stimulus
 from localize.signals.array_response import response_of
-from localize.signals.noise_model import input_density, microphone_noise
+from localize.signals.noise_model import microphone_noise
 from localize.signals.propagation import microphone_signals
 
 
@@ -158,7 +159,7 @@ def test_noise_as_a_pressure_in_the_chamber_is_that_of_the_microphone_over_its_r
     microphone = geometry.prototype("array-2x6").microphone
     medium = acoustic_fem.Medium.at(20.0)
     # Far above vent (20 Hz) and 1/f corner (100 Hz) n (Cb + Cd) / Cb, nearly n; far below n sqrt(100 / f) 20 / f.
-    density = input_density(microphone, [1e4, 0.1], medium)
+    density = noise_density_behind_vent(microphone, [1e4, 0.1], medium)
     assert density[0] == pytest.approx(5e-6, rel=0.05)
     assert density[1] == pytest.approx(5e-6 * np.sqrt(1000) * 200, rel=0.05)
 
@@ -173,7 +174,7 @@ def test_the_signals_carry_the_noise_of_the_design_with_its_spectrum():
     power = 2 * (np.abs(np.fft.rfft(noise, norm="forward")) ** 2).mean((0, 1))
     microphone, medium = geometry.prototype("array-2x6").microphone, acoustic_fem.Medium.at(20.0)
     for f in (2, 5, 20, 100, 400):
-        inside = input_density(microphone, np.linspace(f - 0.5, f + 0.5, 401), medium)
+        inside = noise_density_behind_vent(microphone, np.linspace(f - 0.5, f + 0.5, 401), medium)
         assert power[f] == pytest.approx((inside**2).mean(), rel=0.15)
     assert power[0] < 1e-3 * power[1]
 
@@ -181,8 +182,15 @@ def test_the_signals_carry_the_noise_of_the_design_with_its_spectrum():
 def test_rms_is_the_integral_of_the_density_from_1_to_500_hz():
     microphone, medium = geometry.prototype("array-2x6").microphone, acoustic_fem.Medium.at(20.0)
     f = np.geomspace(1, 500, 20001)
-    expected = np.sqrt(np.trapezoid(input_density(microphone, f, medium) ** 2, f))
+    expected = np.sqrt(np.trapezoid(noise_density_behind_vent(microphone, f, medium) ** 2, f))
     assert microphone_noise(microphone, medium).rms == pytest.approx(expected, rel=0.005)
+
+
+def test_the_library_s_floor_has_the_same_noise_of_the_output():
+    library = acoustic_fem.solve(geometry.prototype("array-2x6"), np.geomspace(1, 500, 401), fidelity="lumped")
+    floor = acoustic_fem.library.noise_density(library, noise_at="output")["own"].sel(microphone="A")
+    rms = np.sqrt(np.trapezoid(floor.values**2, library.frequency))
+    assert response_of(library).own_noise.rms == pytest.approx(rms, rel=1e-3)
 
 
 def test_a_worse_microphone_lowers_the_accuracy():
