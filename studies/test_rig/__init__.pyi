@@ -15,5 +15,6 @@ from .rig_motion import (
 )
 from .rig_session import RigSession as RigSession, record_rig as record_rig
 from .rig_touches import TouchSession as TouchSession, record_touches as record_touches
+from .slow_sounds import closing_doors as closing_doors, gusts as gusts
 from .touches_at_once import FrameRig as FrameRig, TouchFrame as TouchFrame
 from .virtual_rig import HiddenScatter as HiddenScatter, Recorder as Recorder, Rig as Rig
