@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import argparse
 import warnings
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
@@ -78,6 +78,7 @@ def sounds(sensor: Sensor, folder: Path) -> Iterator[Sound]:
 def print_slow(library: acoustic_fem.Library) -> None:
     """Print the touches that are reported in a minute of sound below 20 Hz, on the sensor as designed/as built."""
     sensors = [Sensor(library, number, FIRST, as_designed) for number, as_designed in enumerate((True, False))]
+    sources: dict[str, tuple[Callable[[float, np.random.Generator, float, float], Array], float]]
     sources = {f"closing doors of up to {peak:g} Pa": (closing_doors, peak) for peak in SLOW}
     sources |= {f"wind of {rms:g} Pa rms": (gusts, rms) for rms in SLOW[:-1]}
     print("| sound | touches | touches with `--motion 5` |\n|---|---|---|")

@@ -7,7 +7,8 @@ in the air of the bench, as ``Library.in_air`` states it. The second has touches
 a sensor that nobody calibrated: taps, and presses of 0.5 N, of a sensor that lies still, and of one on a waved hand
 with an accelerometer, whose part is taken out of the signals. A rig whose membranes bulge beyond the range of the law
 cannot be computed, and is left out with a line that says so. The decoder has either its usual hypotheses, or those of a
-sealed sensor. A quarter of an hour of one core; ``--touches`` makes the second table alone.
+sealed sensor. Half an hour of one core; ``--touches`` makes the second table alone. ``--causes`` prints a table of what
+the touches lose by each effect: it is left out on rigs of other seeds, that lie still.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ import tempfile
 import warnings
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TypedDict
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +31,7 @@ from acoustic_fem.calibration.manifest import read_manifest
 from acoustic_fem.calibration.measured_library import calibrate
 from acoustic_fem.calibration.model_updating import update
 from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.microphone_signals import Output
 from acoustic_fem.quantities.model_limit_warning import ModelLimitWarning
 from acoustic_fem.scatter.tolerances import tolerances_of
 from geometry import prototype
@@ -58,6 +61,21 @@ POINTS = (1, 4, 8, 12)
 TOUCHES = {"taps of 3 mN": (3e-3, 0.9, 0.04, 0.02, 0.3), "presses of 0.5 N": (0.5, 2.0, 1.0, 0.15, 1.3)}
 """Force (N), time from one touch to the next, length and rise of a touch, and time after its begin within which it must
 be reported (s). A press overloads the microphones while it rises, so it may be reported while it lasts or ends."""
+CAUSES_FIRST, CAUSES_SENSORS = 96000, 8
+_CALM: dict[str, float] = {"warming": 0.0, "prestrain": 0.0, "glue": 0.0}
+CAUSES: dict[str, Effects] = {
+    "nothing": {},
+    "overload": {"overload": 2000.0},
+    "overload and high-pass": {"output": "pressure"},
+    "law of large presses": {"linear": True},
+    "law of large presses, and overload": {"linear": True, "overload": 2000.0},
+    "warming by 12 K": {"scatter": {"warming": 0.0}},
+    "strain of 0.0026": {"scatter": {"prestrain": 0.0}},
+    "glue of 0.1 mm": {"scatter": {"glue": 0.0}},
+    "warming, strain and glue": {"scatter": _CALM},
+    "all of these": {"scatter": _CALM, "linear": True, "output": "pressure"},
+}
+"""What a bench lacks, and how."""
 WAVED = 5.0
 FIRST_TOUCH = 1.0
 """Time of the first touch, s."""
@@ -67,6 +85,19 @@ LOUD = Recorder(bits=24, full_scale=200.0)
 TOP = 100.0
 """Highest frequency at which transfer functions are compared, Hz."""
 FREQUENCY = np.concatenate([[0.5], np.arange(1.0, 501.0)])
+
+
+class Effects(TypedDict, total=False):
+    """Effects of a bench that differ from its usual ones."""
+
+    overload: float
+    """Overload of the microphones, Pa."""
+    output: Output
+    """Signals of the recordings; pressures have neither a high-pass nor an overload."""
+    linear: bool
+    """True if presses of any force obey the linear law."""
+    scatter: dict[str, float]
+    """Fields of the hidden scatter."""
 
 
 @dataclass(frozen=True)
@@ -101,8 +132,10 @@ def fitted(rig: Rig, libraries: list[Library]) -> list[FittedRig]:
     return results
 
 
-def touched(rig: Rig, kind: str, waved: bool, library: Library) -> tuple[Array, Array, NDArray[np.int64]]:
-    """Voltages of the microphones, (n_microphone, n_sample) Pa, times of the touches (s), and their points from 1.
+def touched(
+    rig: Rig, kind: str, waved: bool, library: Library, linear: bool = False, output: Output = "voltage"
+) -> tuple[Array, Array, NDArray[np.int64]]:
+    """Signals of the microphones, (n_microphone, n_sample) Pa, times of the touches (s), and their points from 1.
 
     The hand's part is that of an accelerometer beside the sensor, computed for the design.
     """
@@ -119,13 +152,13 @@ def touched(rig: Rig, kind: str, waved: bool, library: Library) -> tuple[Array, 
         total += force * np.sin(np.pi / 2 * ramp) ** 2
         where[time >= at - 0.2] = place[point]
     contact = Contact(time, where, total, float(radius.min()) / 4)
-    pressures = ContactRecorder(response, microphone_noise=0.0).take(contact).signals[:, : len(time)]
+    pressures = ContactRecorder(response, microphone_noise=0.0, linear=linear).take(contact).signals[:, : len(time)]
     moved = waved_hand(len(time) / 1000, np.random.default_rng([rig.seed, 32]), WAVED)
     if waved:
         pressures = pressures + motion_of_rig(rig, moved)
     padded = np.pad(pressures, ((0, 0), (0, 2000)))
     random = np.random.default_rng([rig.seed, 33, waved])
-    signals = rig.recorded({}, padded.shape[1], 0, len(time), LOUD, random, padded)[1:]
+    signals = rig.recorded({}, padded.shape[1], 0, len(time), replace(LOUD, output=output), random, padded)[1:]
     step = LOUD.full_scale / 2 ** (LOUD.bits - 1)
     signals = np.rint(signals / step) * step
     if waved:
@@ -156,7 +189,11 @@ def main() -> None:
     parser.add_argument("--sensors", type=int, default=SENSORS)
     parser.add_argument("--write", action="store_true", help="replace the tables of the page")
     parser.add_argument("--touches", action="store_true", help="make the table of the touches alone")
+    parser.add_argument("--causes", action="store_true", help="make the table of causes alone")
     given = parser.parse_args()
+    if given.causes:
+        print_causes()
+        return
     design = prototype(DESIGN)
     libraries = list[Library]()
     if not given.touches:
@@ -191,6 +228,27 @@ def main() -> None:
             print(text)
             if given.write:
                 replace_section(PAGE, *marks, text.splitlines())
+
+
+def print_causes() -> None:
+    """Print what touches of a sensor that lies still lose by each effect."""
+    print("| effect that is left out | taps, mean / 5th percentile (%) | presses, mean / 5th percentile (%) |")
+    print("|---" * 3 + "|")
+    for name, effects in CAUSES.items():
+        overload = effects.get("overload")
+        design = prototype(DESIGN)
+        design = design if overload is None else design.with_values({"microphone.overload": overload})
+        library = acoustic_fem.solve(design, FREQUENCY, "lumped")
+        output = effects.get("output", "voltage")
+        model = localize.open_model(library, microphone_output=output)
+        right: dict[str, list[float]] = {kind: [] for kind in TOUCHES}
+        for seed in range(CAUSES_FIRST, CAUSES_FIRST + CAUSES_SENSORS):
+            rig = Rig(design, seed, replace(SCATTER, **effects.get("scatter", {})))
+            for kind, found in right.items():
+                signals = touched(rig, kind, False, library, effects.get("linear", False), output)
+                found.append(100 * touch_fractions(model, TOUCHES[kind][-1], *signals)[1])
+        cells = (f"{np.mean(of):.1f} / {np.percentile(of, 5):.1f}" for of in right.values())
+        print(f"| {name} | {' | '.join(cells)} |", flush=True)
 
 
 def table_of_fits(fits: list[list[FittedRig]]) -> str:
