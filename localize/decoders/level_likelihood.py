@@ -46,8 +46,8 @@ class LevelLikelihood:
         self.options = options
         noise = assumed_noise(around.noise, options)
         self.whitening = tuple(whiten(response, noise, level) for level in around.ambient)
-        """Matrix that makes noise and sound of each level white; (n, n) float64, 1/Pa, each. Of a frame that is
-        known in part, only the rows that are known."""
+        """Matrix that makes noise and sound of each level white; (n, n) float64, 1/Pa, each. If frames
+        are known in part, it has the known rows alone."""
         self.tables = tuple(
             tables_of(touched, matrix, level, options)
             for matrix, level in zip(self.whitening, around.ambient, strict=True)

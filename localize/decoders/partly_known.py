@@ -28,7 +28,7 @@ def known_directions(unknown: Array) -> tuple[Array, float]:
         unknown: signals with amplitudes of order 1 that are not known, (size, n) float64, where noise is white.
 
     Returns:
-        Orthonormal rows, (m, size) float64, and the logarithm of the product of the sizes in the directions that are
+        Orthonormal rows, (n_known, size) float64, and the logarithm of the product of the sizes in the directions that are
         left out, by which the density of a frame is divided.
     """
     directions, sizes, _ = np.linalg.svd(unknown, full_matrices=True)

@@ -23,7 +23,7 @@ from localize.decoders.judgement import ResidualTest
 from localize.decoders.motion_test import MotionTest
 from localize.decoders.reconstruct import Reconstructor
 from localize.decoders.sound_test import SoundTest
-from localize.live.clipping import ClippedSamples
+from localize.live.clipped_samples import ClippedSamples
 from localize.live.events import HOP, Decision, Fault, FaultKind
 from localize.live.frame_classifier import Fallback, FrameClassifier
 from localize.live.front_end import HighPass, Hum, NoiseFloor
