@@ -25,11 +25,11 @@ def known_directions(unknown: Array) -> tuple[Array, float]:
     """Directions of white frames on which no unknown signal acts.
 
     Args:
-        unknown: signals with amplitudes of order 1 that are not known, (size, n) float64, where noise is white.
+        unknown: signals with amplitudes of order 1 that are not known, (n, m) float64, where noise is white.
 
     Returns:
-        Orthonormal rows, (n_known, size) float64, and the logarithm of the product of the sizes in the directions that are
-        left out, by which the density of a frame is divided.
+        Orthonormal rows, (k, n) float64, and the logarithm of the product of the sizes in the directions that are left
+        out, by which the density of a frame is divided.
     """
     directions, sizes, _ = np.linalg.svd(unknown, full_matrices=True)
     acting = int((sizes > NOTHING).sum())
@@ -41,7 +41,7 @@ def partly_known_tables(tables: DecoderTables, kept: Array, left_out: float) -> 
 
     Args:
         tables: of whole frames.
-        kept: orthonormal directions that are known, (m, size) float64.
+        kept: orthonormal directions that are known, (k, n) float64.
         left_out: as of :func:`known_directions`.
     """
     options = tables.options
