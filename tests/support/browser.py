@@ -169,7 +169,7 @@ _SEARCH = """(name) => {
 }"""
 
 
-def place_of(page: Any, part: str, seconds: float = 30.0) -> tuple[float, float]:
+def place_of(page: Any, part: str, seconds: float = 120.0) -> tuple[float, float]:
     """Place of the pointer at which the page names a part of the array that can be dragged.
 
     Asked until two answers agree: panels that fill move the picture, on a busy host seconds after the model is there.
