@@ -89,13 +89,18 @@ def read_completed(text: str, source: str) -> ArrayDesign:
 
 def write_design(design: ArrayDesign) -> str:
     """Text of a design file: every field with its value, its unit in a comment; what follows others is not stated."""
+    return tomlkit.dumps(design_document(design))
+
+
+def design_document(design: ArrayDesign) -> tomlkit.TOMLDocument:
+    """Document of :func:`write_design`, for tables that are written otherwise."""
     document = tomlkit.document()
     document.add(tomlkit.comment("Lengths in mm; fields and their ranges: acoustic-fem check --fields"))
     notes = {field.name: field.unit for field in fields_of(ArrayDesign)}
     for key, item in _items(design, "", notes):
         if key not in design.followers:
             document.add(key, item)
-    return tomlkit.dumps(document)
+    return document
 
 
 def save_design(design: ArrayDesign, path: str | os.PathLike[str]) -> None:

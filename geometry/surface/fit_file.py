@@ -12,7 +12,7 @@ import tomlkit
 
 from geometry.body.reading import read_body
 from geometry.design.array_design import ArrayDesign, validated
-from geometry.design.design_file import load_design, write_design
+from geometry.design.design_file import design_document, load_design
 from geometry.design.frozen_rules import inputs_of
 from geometry.design.places_file import names_places, save_places
 from geometry.ground.refusal import Kind
@@ -96,7 +96,7 @@ def text_with_places(design: ArrayDesign, places: str) -> str:
     assert design.surface is not None
     plain = Layout(kind="serpentine")
     lines = tuple(line.model_copy(update={"lengths": None}) for line in design.lines)
-    document = tomlkit.parse(write_design(design.model_copy(update={"layout": plain, "lines": lines})))
+    document = design_document(design.model_copy(update={"layout": plain, "lines": lines}))
     table = tomlkit.table()
     table.add("kind", "surface")
     table.add("places", places)
