@@ -7,6 +7,7 @@ import json
 import re
 import sys
 from collections.abc import Callable
+from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -276,8 +277,9 @@ def test_scatter_and_bending_in_python_are_those_of_the_verbs(command: Callable[
 @pytest.mark.slow
 def test_a_localizer_in_python_is_that_of_the_verbs(command: Callable[..., str], place: Path) -> None:
     library = small_run().folder / "library.nc"
-    command("train", library, "--out", "verb", "--epochs", 1)
-    trained = studies.train_localizer(library, "call", plan=localize.TrainingPlan(epochs=1, microphone_noise="design"))
+    command("train", library, "--out", "verb", "--plan", "maps", "--epochs", 1)
+    plan = replace(localize.TrainingPlan.on_maps(), epochs=1, microphone_noise="design")
+    trained = studies.train_localizer(library, "call", plan=plan)
     assert trained.folder == Path("call")
     for name in ("training.csv", "confusion.csv"):
         assert text("verb", name) == text("call", name)

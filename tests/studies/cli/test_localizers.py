@@ -69,7 +69,7 @@ def test_solve_train_and_evaluate_lead_from_a_design_to_a_judged_localizer(
 @pytest.mark.slow
 def test_a_network_is_trained_on_the_stimuli_that_are_named(command: Command, tmp_path: Path) -> None:
     library, model = small_run().folder / "library.nc", tmp_path / "localizer"
-    words = ("--epochs", 2, "--stimuli", "taps", "--stimuli", "friction")
+    words = ("--plan", "maps", "--epochs", 2, "--stimuli", "taps", "--stimuli", "friction")
     told = command("train", library, "--out", model, *words)
     assert told.code == 0, told.err
     plan = json.loads((model / "localizer.json").read_text(encoding="utf-8"))["plan"]
@@ -85,7 +85,7 @@ def test_a_network_is_trained_on_the_stimuli_that_are_named(command: Command, tm
 def test_train_goes_on_where_it_was_stopped(command: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     library = small_run().folder / "library.nc"
     whole, stopped = tmp_path / "whole", tmp_path / "stopped"
-    words = ("--epochs", 3, "--seed", 5)
+    words = ("--plan", "maps", "--epochs", 3, "--seed", 5)
     assert command("train", library, "--out", whole, *words).code == 0
     train = localize.train
 
@@ -100,7 +100,7 @@ def test_train_goes_on_where_it_was_stopped(command: Command, tmp_path: Path, mo
         patch.setattr(localize, "train", interrupted, raising=False)
         assert command("train", library, "--out", stopped, *words).code != 0
     assert [path.name for path in stopped.iterdir()] == ["checkpoint.safetensors"]
-    told = command("train", library, "--out", stopped, "--epochs", 4, "--seed", 5)
+    told = command("train", library, "--out", stopped, "--plan", "maps", "--epochs", 4, "--seed", 5)
     assert (told.code, "plan.epochs was 3, is 4; remove it to train anew" in told.err) == (1, True)
     assert command("train", library, "--out", stopped, *words).code == 0
     told = command("train", library, "--out", whole, *words)
