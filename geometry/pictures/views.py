@@ -60,7 +60,7 @@ _PLURALS: dict[PartKind, str] = {
 _MOST_EXPLODED, _EXCERPT = 24, 5
 #: Parts of a picture's width that are kept for names at its left and for words at its right.
 _NAMES_LEFT, _WORDS_RIGHT = 0.2, 0.12
-#: Size of the names of layers, pixels, and the width of a letter over it, of the widest names that there are.
+#: Size of the names of layers, pixels, and the mean width of their letters, by this size.
 _NAME_SIZE, _LETTER = 20, 0.75
 #: Room between the array and what stands beside it in the top view, for the names of microphones, pixels.
 _LABEL_ROOM = 90

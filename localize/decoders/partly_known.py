@@ -18,7 +18,7 @@ from localize.decoders.likelihood import DecoderTables, GaussianTables
 FEWEST = 16
 """Least number of directions of a frame that must be known, for anything to be located by them."""
 NOTHING = 0.1
-"""Size of an unknown signal up to which it is nothing, by the noise of a direction."""
+"""Size below which an unknown signal is neglected, by the noise of a direction."""
 
 
 def known_directions(unknown: Array) -> tuple[Array, float]:

@@ -375,12 +375,18 @@ class Session:
         await self._search.words(self.state.design, self.state.revision)
 
     async def _propose(self, message: Mapping[str, Any]) -> None:
+        await self._begin("proposals", self._search.search, message)
+
+    async def _begin(
+        self, stage: str, begin: Callable[[ArrayDesign, int, Mapping[str, Any]], None], message: Mapping[str, Any]
+    ) -> None:
+        """Begin work on the design as it is now; why it cannot begin is posted as the failure of its stage."""
         try:
-            self._search.search(self.state.design, self.state.revision, message)
+            begin(self.state.design, self.state.revision, message)
         except MessageError:
             raise
         except Refusal as error:
-            failure = {"stage": "proposals", "revision": self.state.revision, "message": str(error)}
+            failure = {"stage": stage, "revision": self.state.revision, "message": str(error)}
             await self._post({"type": "failed", **failure})
 
     # -- arrays on bodies ---------------------------------------------------------------------------
@@ -388,13 +394,7 @@ class Session:
         await self.fitting.show(self.state.design, self.state.revision, message)
 
     async def _fit(self, message: Mapping[str, Any]) -> None:
-        try:
-            self.fitting.fit(self.state.design, self.state.revision, message)
-        except MessageError:
-            raise
-        except Refusal as error:
-            failure = {"stage": "fit", "revision": self.state.revision, "message": str(error)}
-            await self._post({"type": "failed", **failure})
+        await self._begin("fit", self.fitting.fit, message)
 
     async def _take_fitted(self, design: ArrayDesign, revision: int) -> bool:
         if self.state.revision != revision:

@@ -6,7 +6,7 @@ import asyncio
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import pytest
 from refusals import refused
@@ -57,7 +57,7 @@ def played(folder: Path, play: Callable[[FitJob, Fitting], Any], fresh: bool = T
 
     async def run() -> None:
         place = Fitting(folder)
-        await play(FitJob(place, post, take), place)  # type: ignore[arg-type]
+        await play(FitJob(cast(Any, place), post, take), place)
 
     with ThreadPoolExecutor(1) as thread:  # a browser of other tests may have left its loop in this one
         thread.submit(asyncio.run, run()).result()
